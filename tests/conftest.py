@@ -50,8 +50,6 @@ def own_folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
 
-
-
 @pytest.fixture(scope="session")
 def browser() -> Iterator:
     """A real Chromium, once for all tests; skipped with a reason where there is none."""

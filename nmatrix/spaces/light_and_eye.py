@@ -7,8 +7,12 @@ mirror, and up to length when it scales alike everywhere. Numbers stay exact unt
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import reduce
+from math import isfinite
+from operator import add, mul
 
 from nmatrix.enums import Space
 from nmatrix.errors import IllegalValueError
@@ -94,19 +98,38 @@ def _course_rule(B: RationalMatrix, direction: RationalVector) -> RationalVector
 
 
 def _eye_by_inverse(maps: ExactMaps, space: Space) -> Three | None:
-    import numpy as np
-
     try:
-        V = np.array(maps.camera_from_world.matrix)
-        world_from_space = np.array(maps.space_from_world(space).inverse().matrix)
+        V = maps.camera_from_world.matrix
+        world_from_space = maps.space_from_world(space).inverse().matrix
     except IllegalValueError:  # an entry beyond float64, which such a program cannot hold
         return None
-    with np.errstate(all="ignore"):
-        try:
-            found = np.linalg.inv(V @ world_from_space)[:3, 3]
-        except np.linalg.LinAlgError:
+    columns = tuple(zip(*world_from_space, strict=True))
+    found = _last_column_of_inverse([[_float_dot(row, one) for one in columns] for row in V])
+    return None if found is None or not all(map(isfinite, found)) else found
+
+
+def _float_dot(a: Sequence[float], b: Sequence[float]) -> float:
+    """Add products from the left, each rounded; `sum` rounds otherwise from Python 3.12 on."""
+    return reduce(add, map(mul, a, b))
+
+
+def _last_column_of_inverse(rows: Sequence[Sequence[float]]) -> Three | None:
+    """Solve A x = (0, 0, 0, 1) in floats, by elimination with the largest pivots."""
+    left = [[*row, float(i == 3)] for i, row in enumerate(rows)]
+    for k in range(4):
+        best = max(range(k, 4), key=lambda i: abs(left[i][k]))
+        left[k], left[best] = left[best], left[k]
+        pivot = left[k]
+        if pivot[k] == 0:
             return None
-    return tuple(found.tolist()) if np.isfinite(found).all() else None
+        for i in range(k + 1, 4):
+            factor = left[i][k] / pivot[k]
+            left[i] = [a - factor * b for a, b in zip(left[i], pivot, strict=True)]
+    x = [0.0] * 4
+    for k in (3, 2, 1, 0):
+        known = _float_dot(left[k][k + 1 : 4], x[k + 1 :]) if k < 3 else 0.0
+        x[k] = (left[k][4] - known) / left[k][k]
+    return x[0], x[1], x[2]
 
 
 def _relative(exact: RationalVector, course: Three) -> Fraction | None:

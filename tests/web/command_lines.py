@@ -144,9 +144,11 @@ def _examples() -> list[str]:
     texts = [text for one in helps for text in one.values()]
     lines = [example for text in texts for example in examples_and_notes(text)[0]]
     asked = [f"{name} {option}" for name in COMMANDS for option in ("--help", "--help --full")]
-    return [line.removeprefix("nmatrix ") for line in lines] + [f"help {one}" for one in COMMANDS] + [
-        one for one in asked if one.split()[0] not in MEASURES
-    ]
+    return (
+        [line.removeprefix("nmatrix ") for line in lines]
+        + [f"help {one}" for one in COMMANDS]
+        + [one for one in asked if one.split()[0] not in MEASURES]
+    )
 
 
 def _in_every_format() -> list[str]:

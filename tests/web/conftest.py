@@ -25,7 +25,9 @@ def pyodide_folder() -> Path:
     given = os.environ.get("NMATRIX_PYODIDE")
     found = Path(given) if given else CHECKOUT / "node_modules" / "pyodide"
     if not (found / "pyodide.asm.wasm").is_file():
-        pytest.skip("Pyodide is not here: npm install pyodide, or set NMATRIX_PYODIDE to its folder")
+        pytest.skip(
+            "Pyodide is not here: npm install pyodide, or set NMATRIX_PYODIDE to its folder"
+        )
     return found
 
 

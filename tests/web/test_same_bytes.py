@@ -6,13 +6,14 @@ import json
 import os
 import subprocess
 import sys
+from base64 import b64encode
 from itertools import islice
 from pathlib import Path
 
 import pytest
 from web.command_lines import command_lines
 
-from nmatrix.lessons.exercises.exercise import Choice, ExerciseKind
+from nmatrix.lessons.exercises.exercise import LETTERS, Choice, ExerciseKind
 from nmatrix.lessons.exercises.scheme import Sheet
 from nmatrix.lessons.exercises.sheet import exercise
 from nmatrix.web.desk import NEEDS
@@ -23,7 +24,9 @@ MISSING = 4
 MANY = """async (asked) => {
   const {ask} = await import('./engine.js');
   const told = [];
-  for (const one of asked) told.push(await ask("command", one).catch((error) => ({refused: error.message})));
+  for (const one of asked) {
+    told.push(await ask("command", one).catch((error) => ({refused: error.message})));
+  }
   return told;
 }"""
 ENVIRONMENT = {
@@ -34,38 +37,54 @@ ENVIRONMENT = {
 ENVIRONMENT.pop("COLUMNS", None)
 
 
-def in_pipes(asked: list[dict[str, object]]) -> list[dict[str, object]]:
-    done = subprocess.run(
-        [sys.executable, Path(__file__).with_name("forked.py")],
-        input=json.dumps(asked),
-        capture_output=True,
-        text=True,
-        check=True,
-        env=ENVIRONMENT,
-    )
-    return json.loads(done.stdout)
+class Pipes:
+    """Runs lines as processes while something else goes on."""
+
+    def __init__(self, asked: list[dict[str, object]]) -> None:
+        self._running = subprocess.Popen(
+            [sys.executable, Path(__file__).with_name("forked.py")],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            env=ENVIRONMENT,
+        )
+        assert self._running.stdin is not None
+        self._running.stdin.write(json.dumps(asked))
+        self._running.stdin.close()
+
+    def told(self) -> list[dict[str, object]]:
+        with self._running as running:
+            assert running.stdout is not None
+            return json.load(running.stdout)
 
 
-def of_pipes(told: dict[str, object]) -> dict[str, object]:
-    return {name: told.get(name) for name in ("code", "out", "err")}
+def of_browser(told: dict[str, object]) -> dict[str, object]:
+    files = {
+        one["name"]: one["base64"] or b64encode(one["text"].encode()).decode()
+        for one in told.get("files", ())
+    }
+    return {name: told.get(name) for name in ("code", "out", "err")} | {"files": files}
 
 
 def test_the_same_command_line_gives_the_same_bytes(opened) -> None:
     asked = command_lines()
-    here, there = opened().evaluate(MANY, asked), in_pipes(asked)
+    pipes = Pipes(asked)
+    here, there = opened().evaluate(MANY, asked), pipes.told()
     alike, absent = 0, set()
     for line, one, other in zip(asked, here, there, strict=True):
         if one.get("code") == MISSING:
             absent.add(line["words"][0])
             continue
-        assert of_pipes(one) == other, line
+        assert of_browser(one) == other, line
         alike += 1
     assert alike >= 300
-    assert absent == (set(NEEDS) & {line["words"][0] for line in asked if line["words"]}) | {"handout"}
+    assert absent == (set(NEEDS) & {line["words"][0] for line in asked if line["words"]}) | {
+        "handout"
+    }
 
 
 def gradings() -> list[dict[str, object]]:
-    """Right answers, and each planned wrong one, to the ten kinds of thirty students."""
+    """The ten kinds of thirty students: by turns the right answer and each wrong one in mind."""
     found = []
     for i in range(30):
         sheet = Sheet("7", f"student {i}")
@@ -73,25 +92,27 @@ def gradings() -> list[dict[str, object]]:
             one = exercise(number, sheet)
             wrong = [two.text for two in one.planned]
             if isinstance(one.grader, Choice):
-                wrong = ["abcdefgh"[j] for j in range(len(one.grader.options))]
-            for answer in dict.fromkeys((one.right, *wrong)):
-                whose = ["--seed", sheet.seed, "--student", sheet.student, "-f", "json"]
-                found.append({"words": ["check", "exercise", str(number), *whose, "--", answer]})
+                wrong = list(LETTERS[: len(one.grader.options)])
+            answers = [*dict.fromkeys((one.right, *wrong))]
+            whose = ["--seed", sheet.seed, "--student", sheet.student, "-f", "json"]
+            answer = answers[i % len(answers)]
+            found.append({"words": ["check", "exercise", str(number), *whose, "--", answer]})
     return found
 
 
 def test_a_grading_is_the_same_to_the_byte(opened) -> None:
     asked = gradings()
     assert len(asked) >= 300
-    here, there = opened().evaluate(MANY, asked), in_pipes(asked)
+    pipes = Pipes(asked)
+    here, there = opened().evaluate(MANY, asked), pipes.told()
     for line, one, other in zip(asked, here, there, strict=True):
-        assert of_pipes(one) == other, line
+        assert of_browser(one) == other, line
     assert {json.loads(one["out"])["verdict"] for one in here} == {"correct", "mistake", "unknown"}
 
 
 def test_forked_lines_are_what_processes_of_their_own_print() -> None:
     asked = [one for one in islice(command_lines(), 0, None, 40) if not one["files"]]
-    for line, told in zip(asked, in_pipes(asked), strict=True):
+    for line, told in zip(asked, Pipes(asked).told(), strict=True):
         done = subprocess.run(
             [sys.executable, "-m", "nmatrix", *line["words"]],
             stdin=subprocess.DEVNULL,
@@ -100,4 +121,5 @@ def test_forked_lines_are_what_processes_of_their_own_print() -> None:
             check=False,
             env=ENVIRONMENT,
         )
+        del told["files"]
         assert told == {"code": done.returncode, "out": done.stdout, "err": done.stderr}

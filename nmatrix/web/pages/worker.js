@@ -67,12 +67,15 @@ async function start() {
   }
   const python = await loadPyodide({indexURL: new URL(".", self.location).href});
   stage("Starting the program");
-  python.unpackArchive(await program, "zip");
+  python.unpackArchive(await program, "zip", {extractDir: "/nmatrix"});
   answers = python.runPython(`
-import json
+import gc, json, sys
+
+sys.path.insert(0, "/nmatrix")
 from nmatrix.cli.web import desk
 
 opened = desk()
+gc.freeze()
 lambda name, asked: json.dumps(opened.answer(name, json.loads(asked)))
 `);
   self.fetch = plainFetch;
