@@ -35,8 +35,7 @@ at("spaces-form").addEventListener("submit", (event) => {
 export function open(asked) {
   if ([...asked].length === 0 || asked.toString() === shown) return;
   wanted = asked.get("space") ?? "world";
-  const radio = list.querySelector(`input[value="${CSS.escape(wanted)}"]`);
-  if (radio) radio.checked = true;
+  for (const one of list.querySelectorAll("input")) one.checked = one.value === wanted;
   scene.set(asked);
   at("spaces-full").checked = asked.has("full");
   run();
