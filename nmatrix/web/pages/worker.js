@@ -84,7 +84,7 @@ lambda name, asked: json.dumps(opened.answer(name, json.loads(asked)))
 
 const started = start().catch((error) => {
   const known = broken || (error instanceof Broken ? error : null);
-  const sentence = known ? known.message : `Python: it does not start here (${String(error.message || error).split("\n").at(-1).slice(0, 200)}); try a newer browser`;
+  const sentence = known ? known.message : "Python: it does not start in this browser; reload the page, copy the folder anew, or use a newer browser";
   tell({failed: sentence});
   return "failed";
 });
