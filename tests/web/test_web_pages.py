@@ -88,7 +88,7 @@ def visit(browser, address) -> Iterator:
         if before:
             context.add_init_script(before)
         page = context.new_page()
-        page.set_default_timeout(20_000)
+        page.set_default_timeout(30_000)
         page.complaints, page.asked = [], []
         page.on("pageerror", lambda error: page.complaints.append(str(error)))
         page.on(
@@ -108,7 +108,7 @@ def visit(browser, address) -> Iterator:
 def page(visit):
     """One page for many tests, with Python loaded."""
     found = visit(viewport=WIDE, reduced_motion="reduce")
-    found.wait_for_selector(LOADED, state="attached")
+    found.wait_for_selector(LOADED, state="attached", timeout=90_000)
     return found
 
 
@@ -307,7 +307,7 @@ def test_a_sheet_is_solved_on_a_phone_without_storage_and_without_a_mouse(visit)
     for number in range(1, kinds + 1):
         one = exercise(number, Sheet("7", "Ada"))
         heading = phone.locator(f"#exercise-{number}")
-        heading.filter(has_text=one.title).wait_for()
+        heading.filter(has_text=one.title).wait_for(timeout=90_000)  # Python loads before
         assert phone.get_by_role("button", name="Show me").count() == 0
         solve(phone, one)
         phone.wait_for_selector(".told.right")
