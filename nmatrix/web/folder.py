@@ -11,6 +11,7 @@ import json
 from collections.abc import Callable, Mapping
 from importlib.resources import files
 from pathlib import Path, PurePosixPath
+from zlib import adler32
 
 from nmatrix.errors import IllegalValueError, MissingPackageError, printable, quantity, refusal
 from nmatrix.output.explorer.page import colours
@@ -66,6 +67,7 @@ def folder(pyodide: Path, explorer: Callable[[], bytes]) -> dict[str, bytes]:
         "python": list(python),
         "program": PROGRAM,
         "bytes": {name: len(found[name]) for name in (*python, PROGRAM)},
+        "sums": {name: adler32(found[name]) for name in (*python, PROGRAM)},
     }
     return {**found, CONTENTS: f"{json.dumps(told, indent=1)}\n".encode()}
 
