@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from importlib.resources import files
 
 import pytest
 
@@ -61,10 +60,6 @@ def test_nothing_on_the_page_is_a_script_of_its_own() -> None:
     assert "script-src 'self' 'wasm-unsafe-eval'" in text
     assert re.findall(r"<script(?![^>]* src=)", text) == []
     assert re.findall(r"<style|\son\w+=|javascript:", text) == []
-
-
-def test_each_picture_of_the_program_may_stand_beside_the_pages() -> None:
-    assert set(pages()) >= {one.name for one in files("nmatrix.web").joinpath("pages").iterdir()}
 
 
 # --- the pages in a browser ---
@@ -295,6 +290,24 @@ def test_what_is_typed_is_never_taken_for_markup(page) -> None:
         reach(page, fragment, shows=shows)
     assert page.locator("main img").count() == 0
     assert page.evaluate("window.planted") is None
+
+
+@slow
+def test_a_million_characters_are_a_sentence_on_every_page(page) -> None:
+    for name, field, answer in (
+        ("identify", "#identify-matrix", "#identify-answer .note"),
+        ("check", "#check-answer", "#check-answered .note"),
+        ("calc", "#calc-input", "#transcript li:last-child .note"),
+        ("line", "#line-input", "#line-answer .note"),
+    ):
+        reach(page, f"#{name}", shows=field)
+        page.evaluate("field => { document.querySelector(field).value = '1 '.repeat(5e5); }", field)
+        page.locator(field).evaluate("one => one.form.requestSubmit()")
+        page.wait_for_selector(answer)
+        assert "characters" in page.inner_text(answer)
+        assert len(page.url) < 10_000
+        page.fill(field, "")
+    page.click("a.name")
 
 
 @slow

@@ -11,6 +11,7 @@ const EXAMPLES = [
   ["help", "help"],
 ];
 const SIGNS = ["=", "*", "^-1", "^-T", "^T", "[", ";", "]", "(", ")"];
+const SHOWN = 2000; // characters of a statement that waits
 const NUMBERS = ["exact", "decimal", "both"];
 
 const input = at("calc-input");
@@ -25,7 +26,8 @@ let shown = null; // the statements that the address tells and the transcript ha
 
 function entry(statement) {
   const made = element("li", {});
-  made.append(element("pre", {className: "said", textContent: statement}));
+  const short = statement.length > SHOWN ? `${statement.slice(0, SHOWN)} …` : statement;
+  made.append(element("pre", {className: "said", textContent: short}));
   return made;
 }
 

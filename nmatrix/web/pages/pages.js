@@ -1,6 +1,6 @@
 // The frame of the pages: which one is shown, the theme, and what is told while Python loads.
 import {progress, restart, start, stop} from "./engine.js";
-import {at, catalogue, place, remember, remembered, say} from "./parts.js";
+import {at, catalogue, element, place, remember, remembered, say} from "./parts.js";
 import * as calculator from "./calculator.js";
 import * as check from "./check.js";
 import * as exercises from "./exercises.js";
@@ -55,7 +55,7 @@ function told(state) {
   bar.hidden = Boolean(state.failed || state.slow);
   act.hidden = !(state.failed || state.slow);
   if (state.failed) {
-    at("engine-sentence").textContent = `${state.failed} The explorer works without it.`;
+    at("engine-sentence").replaceChildren(`${state.failed.replace(/\.$/, "")}. `, element("a", {href: "#explorer"}, "The explorer"), " works without it.");
     act.textContent = "Try again";
     act.onclick = restart;
   } else if (state.slow) {
