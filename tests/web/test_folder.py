@@ -7,6 +7,7 @@ import json
 import re
 import zipfile
 from pathlib import Path
+from zlib import adler32
 
 import pytest
 
@@ -42,10 +43,11 @@ def test_the_folder_is_the_same_each_time(pyodide: Path) -> None:
     assert made(pyodide) == made(pyodide)
 
 
-def test_it_tells_the_length_of_each_file_that_is_fetched(pyodide: Path) -> None:
+def test_it_tells_the_length_and_the_sum_of_each_file_that_is_fetched(pyodide: Path) -> None:
     found = made(pyodide)
     told = json.loads(found["folder.json"])
     assert told["bytes"] == {name: len(found[name]) for name in (*told["python"], told["program"])}
+    assert told["sums"] == {name: adler32(found[name]) for name in told["bytes"]}
     assert set(told["python"]) == {*PYTHON, LOCK}
 
 

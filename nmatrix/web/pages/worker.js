@@ -1,16 +1,51 @@
 // The worker that runs Python: it loads Pyodide and the program, then answers one question a message.
-const counted = {loaded: 0, total: 0};
 
 const tell = (message) => self.postMessage(message);
+const plainFetch = self.fetch.bind(self);
+const loaded = {bytes: 0, total: 0};
+let answers = null; // Python's side: a name and JSON in, JSON out
+
+class Broken extends Error {} // its message is a sentence for the reader
+
+// Pyodide waits for ever where a file of it is wrong, so what goes wrong is heard here as well.
+let giveUp;
+const trouble = new Promise((_, reject) => { giveUp = reject; });
+trouble.catch(() => {});
+self.addEventListener("unhandledrejection", (event) => {
+  event.preventDefault();
+  giveUp(event.reason);
+});
 
 function stage(sentence) {
-  tell({progress: {stage: "loading", done: counted.loaded, total: counted.total, sentence}});
+  tell({progress: {stage: "loading", done: loaded.bytes, total: loaded.total, sentence}});
 }
 
-class Broken extends Error {}
+const millions = (bytes) => (bytes / 1e6).toFixed(1);
 
-// Fetches a file of this folder, counts its bytes as they come, and refuses one that was cut.
-async function fetched(url, options, bytes) {
+// The check sum of zlib: whether a file is whole, in a moment.
+class Adler32 {
+  a = 1;
+  b = 0;
+
+  add(bytes) {
+    for (let start = 0; start < bytes.length; start += 3800) { // so long the sums stay exact
+      const end = Math.min(start + 3800, bytes.length);
+      for (let i = start; i < end; i++) {
+        this.a += bytes[i];
+        this.b += this.a;
+      }
+      this.a %= 65521;
+      this.b %= 65521;
+    }
+  }
+
+  get value() {
+    return this.b * 65536 + this.a;
+  }
+}
+
+// Fetches a file of this folder, counts its bytes as they come, and refuses one that is damaged.
+async function fetched(url, options, sums) {
   const name = new URL(url, self.location).pathname.split("/").pop();
   let answer;
   try {
@@ -21,54 +56,57 @@ async function fetched(url, options, bytes) {
   if (!answer.ok) {
     throw new Broken(`file (${name}): the server answers ${answer.status}; copy the whole folder`);
   }
-  let length = 0;
+  const sum = new Adler32();
   const counter = new TransformStream({
     transform(part, controller) {
-      length += part.length;
-      counted.loaded += part.length;
-      stage(`Loading Python, ${(counted.loaded / 1e6).toFixed(1)} of ${(counted.total / 1e6).toFixed(1)} MB`);
+      sum.add(part);
+      loaded.bytes += part.length;
+      stage(`Loading Python, ${millions(loaded.bytes)} of ${millions(loaded.total)} MB`);
       controller.enqueue(part);
     },
-    flush(controller) {
-      if (bytes[name] !== undefined && bytes[name] !== length) {
-        broken = new Broken(`file (${name}): it has ${length} bytes in place of ${bytes[name]}; copy the folder anew`);
-        controller.error(broken);
+    flush() {
+      if (sums[name] !== sum.value) {
+        giveUp(new Broken(`file (${name}): it is damaged; copy the folder anew`));
       }
     },
   });
-  const kinds = {wasm: "application/wasm", json: "application/json"};
-  const kind = kinds[name.split(".").pop()] || "application/octet-stream";
+  const kind = name.endsWith(".wasm") ? "application/wasm" : "application/octet-stream";
   return new Response(answer.body.pipeThrough(counter), {headers: {"Content-Type": kind}});
 }
 
-const plainFetch = self.fetch.bind(self);
-let broken = null; // what was wrong with a file, which Pyodide would tell in its own words
-let answers = null;
-
-async function start() {
-  const told = await (await plainFetch("folder.json").catch(() => {
+async function contents() {
+  let answer;
+  try {
+    answer = await plainFetch("folder.json");
+  } catch {
     throw new Broken("file (folder.json): it cannot be fetched; look at the network, then try again");
-  })).json().catch(() => {
+  }
+  try {
+    return await answer.json();
+  } catch {
     throw new Broken("file (folder.json): it cannot be read; copy the whole folder");
-  });
-  const streamed = [...told.python, told.program].filter((name) => !name.endsWith(".mjs"));
-  counted.total = streamed.reduce((sum, name) => sum + told.bytes[name], 0);
-  self.fetch = (url, options) => fetched(url, options, told.bytes).catch((error) => {
-    broken = error;
+  }
+}
+
+async function load() {
+  const {python, program, bytes, sums} = await contents();
+  const counted = [...python, program].filter((name) => !name.endsWith(".mjs"));
+  loaded.total = counted.reduce((sum, name) => sum + bytes[name], 0);
+  self.fetch = (url, options) => fetched(url, options, sums).catch((error) => {
+    giveUp(error);
     throw error;
   });
-  const program = self.fetch(new URL(told.program, self.location)).then((one) => one.arrayBuffer());
-  program.catch(() => {});
+  const packed = self.fetch(program).then((one) => one.arrayBuffer());
   let loadPyodide;
   try {
     ({loadPyodide} = await import("./pyodide.mjs"));
   } catch {
     throw new Broken("file (pyodide.mjs): it cannot be loaded; copy the whole folder");
   }
-  const python = await loadPyodide({indexURL: new URL(".", self.location).href});
-  stage("Starting the program");
-  python.unpackArchive(await program, "zip", {extractDir: "/nmatrix"});
-  answers = python.runPython(`
+  const running = await loadPyodide({indexURL: new URL(".", self.location).href});
+  running.unpackArchive(await packed, "zip", {extractDir: "/nmatrix"});
+  self.fetch = plainFetch;
+  answers = running.runPython(`
 import gc, json, sys
 
 sys.path.insert(0, "/nmatrix")
@@ -78,22 +116,21 @@ opened = desk()
 gc.freeze()
 lambda name, asked: json.dumps(opened.answer(name, json.loads(asked)))
 `);
-  self.fetch = plainFetch;
-  tell({ready: true});
 }
 
-const started = start().catch((error) => {
-  const known = broken || (error instanceof Broken ? error : null);
-  const sentence = known ? known.message : `Python: it does not start here (${String(error.message || error).split("\n").at(-1).slice(0, 200)}); try a newer browser`;
-  tell({failed: sentence});
-  return "failed";
-});
+const DAMAGED = "Python: it does not start in this browser; copy the folder anew, or use a newer browser";
+
+const started = Promise.race([load(), trouble]).then(
+  () => tell({ready: true}),
+  (error) => tell({failed: error instanceof Broken ? error.message : DAMAGED}),
+);
 
 self.onmessage = async ({data: {id, name, asked}}) => {
-  if (await started === "failed") return;
+  await started;
+  if (answers === null) return;
   try {
     tell({id, answer: answers(name, JSON.stringify(asked))});
-  } catch (error) {
+  } catch {
     // Python itself has stopped: memory or stack ran out. Another worker begins where this one ends.
     tell({id, died: true});
   }
