@@ -54,7 +54,7 @@ def page(name: str, entry: CatalogueEntry) -> str:
         lines += ["## Options\n", *map(_option, own)]
     for panel, listed in pages.by_panel(options).items():
         lines += [f"## Options: {panel}\n", *map(_option, listed)]
-    lines += ["## Exit codes\n"]
+    lines += [f"## Exit codes of nmatrix {name}\n"]
     lines += [f"{code}\n: {plain(told)}\n" for code, told in pages.exit_codes().items()]
     lines += ["## See also\n", *_related(name, entry)]
     return "\n".join(lines)
