@@ -35,11 +35,11 @@ def written() -> Iterator[tuple[str, str]]:
 def page(name: str, entry: CatalogueEntry) -> str:
     """Write one page."""
     command = load(name)
-    sentence = entry.sentence.rstrip("?")
+    sentence, stop = entry.sentence, "" if entry.sentence.endswith("?") else "."
     options = [one for one in command.params if isinstance(one, TyperOption)]
     arguments = [one for one in command.params if isinstance(one, TyperArgument)]
     places = [f"{one.metavar}" if one.required else f"[{one.metavar}]" for one in arguments]
-    lines = [head(f"nmatrix {name}: {sentence}. Usage, options, exit codes, and examples.")]
+    lines = [head(f"nmatrix {name}: {sentence}{stop} Usage, options, exit codes, examples.")]
     lines += [f"# nmatrix {name}: {plain(sentence[:1].lower() + sentence[1:])}\n"]
     lines += [indexed([f"nmatrix {name}"])]
     lines += [f"{plain(command.help or '')}\n"]
@@ -72,7 +72,8 @@ def _examples(name: str, examples: tuple[str, ...]) -> list[str]:
 
 
 def _option(one: TyperOption) -> str:
-    return f"````{{option}} {pages.as_typed(one)}\n{plain(pages.description_of(one))}\n````\n"
+    typed, told = pages.as_typed(one), plain(pages.description_of(one))
+    return f"````{{option}} {typed}\n:no-index-entry:\n\n{told}\n````\n"
 
 
 def _related(name: str, entry: CatalogueEntry) -> list[str]:

@@ -33,7 +33,7 @@ QUESTIONS = {
     "how do I install this": "install.html",
     "moodle question bank": "for-teachers.html",
     "handout for a class": "commands/handout.html",
-    "exit codes": "command-line.html",
+    "exit codes": "command-line.html#exit-codes",
     "pow negative NaN specular": "lint/NM305.html",
     "transform_normals": "reference.html#transform-normals",
     "FrameError": "reference.html#class-frameerror",

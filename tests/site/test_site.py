@@ -133,9 +133,7 @@ def test_every_command_has_a_page_with_all_of_its_options(command: str, site: Pa
 def test_the_examples_of_a_command_are_what_it_prints(command: str, site: Path, tmp_path) -> None:
     shown = printed(site, f"commands/{command}.html")
     examples = load(command).examples
-    assert [one.splitlines()[0].removeprefix("$ ") for one in shown] == list(
-        examples[: len(shown)]
-    )
+    assert [one.splitlines()[0].removeprefix("$ ") for one in shown] == list(examples[: len(shown)])
     assert len(shown) == len(examples) or command == "cost"
     if command not in LONG:
         first = shown[0].partition("\n")[2]
