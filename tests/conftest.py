@@ -6,6 +6,9 @@ import json
 import os
 import shlex
 import shutil
+import subprocess
+import sys
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -90,3 +93,31 @@ def nmatrix(capsys):
         return Answer(code, captured.out, captured.err)
 
     return call
+
+
+@pytest.fixture(scope="session")
+def site(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
+    """Build the documentation as a site, once for all workers, and return its folder."""
+    pytest.importorskip("furo", reason="the extra docs is not installed")
+    folder = tmp_path_factory.getbasetemp()
+    folder = (folder if worker_id == "master" else folder.parent) / "site"
+    told = folder.with_suffix(".told")
+    try:
+        folder.with_suffix(".begun").mkdir()
+    except FileExistsError:
+        while not told.exists():
+            time.sleep(0.2)
+    else:
+        builder = CHECKOUT / "docs" / "website"
+        built = subprocess.run(
+            [sys.executable, builder, "-o", folder],
+            capture_output=True,
+            text=True,
+            check=False,
+            cwd=CHECKOUT,
+            env={**os.environ, "PYTHONPATH": str(CHECKOUT)},
+        )
+        told.with_suffix(".telling").write_text(f"{built.returncode}\n{built.stderr}")
+        told.with_suffix(".telling").rename(told)
+    assert told.read_text().strip() == "0"
+    return folder

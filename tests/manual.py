@@ -71,7 +71,10 @@ def manual(day: str) -> str:
         lines += [f".SS {plain(panel)}", *prose(", ".join(takers[panel])), *table(rows)]
     lines += [".SH ENVIRONMENT", *table({**pages.VARIABLES, **VARIABLES})]
     lines += [".SH FILES", *table(FILES)]
-    lines += [".SH EXIT STATUS", *table({str(code): one for code, one in pages.exit_codes().items()})]
+    lines += [
+        ".SH EXIT STATUS",
+        *table({str(code): one for code, one in pages.exit_codes().items()}),
+    ]
     lines += [".SH EXAMPLES", *examples(pages.EXAMPLES)]
     lines += [".SH SEE ALSO", *prose("nmatrix help --docs")]
     return "\n".join([*lines, ""])

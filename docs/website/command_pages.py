@@ -35,11 +35,11 @@ def written() -> Iterator[tuple[str, str]]:
 def page(name: str, entry: CatalogueEntry) -> str:
     """Write one page."""
     command = load(name)
-    sentence = entry.sentence.rstrip("?")
+    sentence, stop = entry.sentence, "" if entry.sentence.endswith("?") else "."
     options = [one for one in command.params if isinstance(one, TyperOption)]
     arguments = [one for one in command.params if isinstance(one, TyperArgument)]
     places = [f"{one.metavar}" if one.required else f"[{one.metavar}]" for one in arguments]
-    lines = [head(f"nmatrix {name}: {sentence}. Usage, options, exit codes, and examples.")]
+    lines = [head(f"nmatrix {name}: {sentence}{stop} Usage, options, exit codes, examples.")]
     lines += [f"# nmatrix {name}: {plain(sentence[:1].lower() + sentence[1:])}\n"]
     lines += [indexed([f"nmatrix {name}"])]
     lines += [f"{plain(command.help or '')}\n"]
@@ -54,7 +54,7 @@ def page(name: str, entry: CatalogueEntry) -> str:
         lines += ["## Options\n", *map(_option, own)]
     for panel, listed in pages.by_panel(options).items():
         lines += [f"## Options: {panel}\n", *map(_option, listed)]
-    lines += ["## Exit codes\n"]
+    lines += [f"## Exit codes of nmatrix {name}\n"]
     lines += [f"{code}\n: {plain(told)}\n" for code, told in pages.exit_codes().items()]
     lines += ["## See also\n", *_related(name, entry)]
     return "\n".join(lines)
@@ -72,7 +72,8 @@ def _examples(name: str, examples: tuple[str, ...]) -> list[str]:
 
 
 def _option(one: TyperOption) -> str:
-    return f"````{{option}} {pages.as_typed(one)}\n{plain(pages.description_of(one))}\n````\n"
+    typed, told = pages.as_typed(one), plain(pages.description_of(one))
+    return f"````{{option}} {typed}\n:no-index-entry:\n\n{told}\n````\n"
 
 
 def _related(name: str, entry: CatalogueEntry) -> list[str]:

@@ -13,13 +13,11 @@ html_show_sphinx = False
 
 extensions = ["myst_parser", "sphinx_copybutton"]
 exclude_patterns = ["samples", "scenes", "pictures"]
-suppress_warnings: list[str] = []
 nitpicky = True
+smartquotes = False  # options begin with two minus signs
 
 myst_enable_extensions = ["deflist", "colon_fence"]
 myst_heading_anchors = 4
-# A link to a file that is no page, such as a scene, downloads it.
-myst_all_links_external = False
 
 highlight_language = "text"
 pygments_style = "a11y-light"

@@ -47,7 +47,7 @@ def normal_matrix(world):
 )
 LAYOUT = Cure(
     "js",
-    "Where a matrix leaves the program: OpenGL, WebGL, glTF and three.js's elements count by columns",
+    "Where a matrix leaves the program: OpenGL, WebGL, glTF and three.js count by columns",
     """\
 const columns = [0, 1, 2, 3].flatMap((j) => rows.map((row) => row[j]));
 gl.uniformMatrix4fv(place, false, columns);""",
@@ -87,7 +87,7 @@ def rotation_of(quaternion):
 )
 LOOK_AT = Cure(
     "python",
-    "In NumPy, for a right-handed camera that looks down −z: its axes are rows, the eye is turned too",
+    "In NumPy, for a right-handed camera: its axes are rows, and the eye is turned too",
     """\
 def look_at(eye, target, up):
     back = eye - target
@@ -116,7 +116,7 @@ def perspective(fov_degrees, aspect, near, far, zero_to_one=False):
 )
 WINDOW = Cure(
     "python",
-    "In NumPy, from OpenGL's clip space to pixels, with y from the bottom or, as mice and images count, from the top",
+    "In NumPy, from OpenGL's clip space to pixels, y from the bottom or, as mice count, the top",
     """\
 def window(clip, width, height, from_the_top=False):
     x, y, z = clip[:3] / clip[3]

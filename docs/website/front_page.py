@@ -16,7 +16,11 @@ SECTION = re.compile(r"^## (.+)\n\n((?:[*] .*\n(?:  .*\n)*)+)", re.MULTILINE)
 ENTRY = re.compile(r"^\* \[([^\]]+)\]\(([\w/-]+)\.md\)(?:: )?((?:.*\n?(?:  .*\n)*))", re.MULTILINE)
 PATHS = "Three paths"
 # Pages that the build makes stand behind these documents in the contents.
-BEHIND = {"for-engineers": ["install"], "command-line": ["commands/index"], "architecture": ["cite"]}
+BEHIND = {
+    "for-engineers": ["install"],
+    "command-line": ["commands/index"],
+    "architecture": ["cite"],
+}
 NOTEBOOK_BEHIND = "python"
 SENTENCE = (
     "The matrices of computer graphics (world, view, projection, normals, any shading space), "

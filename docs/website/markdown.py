@@ -42,11 +42,17 @@ def indexed(phrases: Iterable[str]) -> str:
 
 
 def description_of(text: str) -> str:
-    """Take the first paragraph of a page for its description, without its orders."""
-    paragraphs = re.split(r"\n\s*\n", text)
-    first = next(one for one in paragraphs if re.match(r"[\w`*\[(“\"\\]", one.lstrip()))
-    words = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", " ".join(first.split()))
-    return re.sub(r"[`*]|\\(?=\W)", "", words)
+    """Take the title and the first paragraph of a page for its description, without orders.
+
+    Examples
+    --------
+    >>> description_of("# Normals\n\n```sh\nls\n```\n\nThey are [`A⁻ᵀn`](x.md).\n")
+    'Normals. They are A⁻ᵀn.'
+    """
+    title, *paragraphs = re.split(r"\n\s*\n", text)
+    first = next(one for one in paragraphs if re.match(r"[\w*\[(“\"\\]|`(?!``)", one.lstrip()))
+    words = " ".join(f"{title.lstrip('# ')}. {first}".split())
+    return re.sub(r"[`*]|\\(?=\W)", "", re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", words))
 
 
 def shortened(text: str) -> str:
@@ -56,10 +62,13 @@ def shortened(text: str) -> str:
     --------
     >>> shortened("One. Two.")
     'One. Two.'
-    >>> shortened("One. " + "two " * 50)
-    'One.'
+    >>> shortened("One two three four. " * 10)
+    'One two three four. One two three four. One two three four. One two three four. \
+One two three four. One two three four. One two three four. One two three four.'
     """
     if len(text) <= LONGEST:
         return text
     ends = [found.end() for found in re.finditer(r"[.?!](?= )", text[: LONGEST + 1])]
-    return text[: ends[-1]] if ends else text[: LONGEST - 1].rsplit(" ", 1)[0].rstrip(",;:") + "…"
+    if ends and ends[-1] > LONGEST // 2:
+        return text[: ends[-1]]
+    return text[: LONGEST - 1].rsplit(" ", 1)[0].rstrip(",;:") + "…"

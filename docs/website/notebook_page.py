@@ -13,7 +13,7 @@ def as_markdown(notebook: str) -> str:
     """Write a notebook as Markdown; of what a cell showed, the richest that a page can hold."""
     cells = json.loads(notebook)["cells"]
     text = "\n".join(part for cell in cells for part in _cell(cell))
-    return head(description_of(text.partition("\n")[2])) + text
+    return head(description_of(text)) + text
 
 
 def _cell(cell: dict[str, Any]) -> Iterator[str]:

@@ -26,6 +26,7 @@ INDEX, SITE_INDEX = "README.md", "index.md"
 ROOT_README = re.compile(r"\]\(\.\./README\.md\)")
 README = re.compile(r"(?<=[(/])README\.md\b")
 SAMPLE = re.compile(r"\[([^\]]*)\]\((samples/[\w-]+\.html)\)")
+CLASS = re.compile(r"^(?=### ([A-Z]\w+)$)", re.MULTILINE)
 PROOF = re.compile(r"^(?=## .*\n\n!\[[^\]]*\]\(pictures/([\w-]+)\.png\))", re.MULTILINE)
 
 
@@ -63,10 +64,12 @@ def document(name: str, text: str) -> str:
         text = mistake_pages.listed(text)
     if name == "gallery.md":
         text = PROOF.sub(r"(\1)=\n", text)
+    if name == "reference.md":  # anchors know no capitals: world is a function, World a class
+        text = CLASS.sub(r"(class-\1)=\n", text)
     rule = Path(name).stem
     if rule in set(RuleId):
         return mistake_pages.rule_page(RuleId(rule), text)
     if name == f"lint/{INDEX}":
         rules = "\n".join(one.value for one in RuleId)
         text += f"\n```{{toctree}}\n:hidden:\n\n{rules}\n```\n"
-    return head(description_of(text.partition("\n")[2])) + text
+    return head(description_of(text)) + text

@@ -600,7 +600,10 @@ RULES: dict[RuleId, tuple[str, ...]] = {
         "mat3(model) * normal",
         "mat3(transpose(inverse(model)))",
     ),
-    RuleId.NORMAL_WITH_W: ("vec4(normal, 1.0)", "normal w component 0 or 1 in shader"),
+    RuleId.NORMAL_WITH_W: (
+        "vec4(aNormal, 1.0) in vertex shader",
+        "normal w component 0 or 1 in shader",
+    ),
     RuleId.TANGENT_BY_NORMAL_MATRIX: (
         "tangent transform normal matrix",
         "TBN matrix tangent wrong",

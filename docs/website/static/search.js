@@ -35,13 +35,14 @@ document.addEventListener("DOMContentLoaded", () => {
     return [docnames[page], titles[page], anchor, null, score, filenames[page], kind];
   };
 
-  const byPhrases = (words) => {
+  const byPhrases = (query, words) => {
     const asked = weigh(words);
     const found = [];
     for (const [phrase, places] of Object.entries(Search._index.indexentries)) {
       const own = wordsOf(phrase);
       const common = weigh([...words].filter((word) => own.has(word)));
-      const likeness = (2 * common) / (asked + weigh(own));
+      const isWhole = phrase === query.trim().toLowerCase();
+      const likeness = isWhole ? 2 : (2 * common) / (asked + weigh(own));
       if (likeness < FEWEST) continue;
       for (const [page, , isMain] of places) {
         if (isMain) found.push(result(page, "", PHRASE * likeness, "index"));
@@ -84,7 +85,7 @@ document.addEventListener("DOMContentLoaded", () => {
     const found = ofSphinx(query, words, ...others);
     if (!known.size) return found;
     const best = new Map();
-    for (const one of [...byTitles(found), ...byPhrases(known), ...byPages(known)]) {
+    for (const one of [...byTitles(found), ...byPhrases(query, known), ...byPages(known)]) {
       const place = one[0] + one[2];
       if (!best.has(place) || best.get(place)[4] < one[4]) best.set(place, one);
     }
