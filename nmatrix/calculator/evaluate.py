@@ -11,7 +11,7 @@ from itertools import zip_longest
 from typing import TypeVar
 
 from nmatrix.calculator.arithmetic.meanings import SCENE, Meaning
-from nmatrix.calculator.arithmetic.numbers import Number, PiMultiple, shown, times_pi
+from nmatrix.calculator.arithmetic.numbers import PiMultiple
 from nmatrix.calculator.arithmetic.operators import binary, equal, nearly_equal, part, power
 from nmatrix.calculator.arithmetic.symbolic import Symbolic
 from nmatrix.calculator.arithmetic.values import Arithmetic, Value, ValueKind
@@ -39,13 +39,12 @@ from nmatrix.calculator.meaning import function_rules, rules
 from nmatrix.calculator.meaning.homogeneous import settled, understood, w_of, with_w
 from nmatrix.calculator.meaning.nearest import Part, forms
 from nmatrix.calculator.meaning.operands import Operand, RefusedError, bared
+from nmatrix.calculator.remarks import on_angles, on_letters
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError, did_you_mean, quantity
 from nmatrix.linear import rational
-from nmatrix.reading.angles import like_radians, of_pi
 from nmatrix.reading.literal import BARE_POINT
 from nmatrix.reading.numbers import fraction
 from nmatrix.surds import TooManyRootsError
-from nmatrix.working.working import written
 
 T = TypeVar("T")
 Names = Mapping[str, Value]
@@ -397,7 +396,7 @@ class _Evaluation:
         if len(named) < len(node.named):
             raise self._fault(node, name, "an argument is given twice")
         value = self._applied(node, name, arguments, named)
-        self._remark_angles(node, [*arguments, *named.values()])
+        self.remarks += on_angles(self.expression, node, [*arguments, *named.values()])
         return value
 
     def _argument(self, node: Node, parameter: Parameter | None) -> Argument:
@@ -451,51 +450,11 @@ class _Evaluation:
                 given.append(one)
         return given
 
-    def _remark_angles(self, node: Call, values: Sequence[Argument]) -> None:
-        """Keep a remark on every angle that is a multiple of π, or looks like radians."""
-        parameters = FUNCTIONS[node.function].parameters
-        named = {one.name: one for one in parameters}
-        written = [
-            *zip(parameters, node.arguments, strict=False),
-            *((named[key], one) for key, one in node.named),
-        ]
-        for (parameter, argument), value in zip(written, values, strict=False):
-            if not parameter.is_angle or isinstance(value, str):
-                continue
-            entries = (
-                [one for row in argument.rows for one in row]
-                if isinstance(argument, Bracket)
-                else [argument]
-            )
-            for one, x in zip(entries, value.numbers, strict=False):
-                self._remark_radians(node.function, one, x)
-
-    def _remark_radians(self, function: str, node: Node, turned: Number) -> None:
-        typed, times = self._typed(node), times_pi(turned)
-        if times is not None:
-            self.remarks.append(f"{typed} is in radians, {times * 180} degrees.")
-            return
-        number = node.operand if isinstance(node, Prefix) and node.sign in "+-" else node
-        size = shown(turned) if isinstance(number, Numeral) else None
-        if not isinstance(size, Fraction | float):
-            return
-        found = like_radians([Fraction(size)])
-        if found is not None:
-            looks = f"{typed} looks like {of_pi(found[1])} radians"
-            said = f"{function} takes degrees, but {looks}, {180 * found[1]} degrees."
-            self.remarks.append(said)
-
     def remark_letters(self, value: Value) -> None:
         """Keep a remark on names without a value, and on what must not be 0."""
-        if not self.letters:
-            return
-        many = len(self.letters) > 1
-        has = "have no values and stay letters" if many else "has no value and stays a letter"
-        self.remarks.append(f"{', '.join(sorted(self.letters))} {has}.")
-        self._divided(value)
-        if self.below:
-            conditions = " and ".join(f"{written(text)} ≠ 0" for text in self.below)
-            self.remarks.append(f"It holds where {conditions}.")
+        if self.letters:
+            self._divided(value)
+            self.remarks += on_letters(self.letters, self.below)
 
     def _divided(self, value: Value) -> None:
         """Keep what a value is divided by, which may cancel later and must not be 0 even so."""
