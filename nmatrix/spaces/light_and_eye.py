@@ -7,7 +7,7 @@ mirror, and up to length when it scales alike everywhere. Numbers stay exact unt
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
@@ -110,7 +110,8 @@ def _eye_by_inverse(maps: ExactMaps, space: Space) -> Three | None:
 
 def _float_dot(a: Sequence[float], b: Sequence[float]) -> float:
     """Add products from the left, each rounded; `sum` rounds otherwise from Python 3.12 on."""
-    return reduce(add, map(mul, a, b))
+    products: Iterator[float] = map(mul, a, b)
+    return reduce(add, products)
 
 
 def _last_column_of_inverse(rows: Sequence[Sequence[float]]) -> Three | None:
