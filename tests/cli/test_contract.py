@@ -53,7 +53,7 @@ PARTS = (
     "translate quaternion rotate scale shear order convention axis angle_deg gimbal_lock unique "
     "given"
 )
-ELSEWHERE = {"render", "cost", "handout", "explore"}  # what writes files or measures
+ELSEWHERE = {"render", "cost", "handout", "explore", "web"}  # what writes files or measures
 
 
 def test_every_command_has_its_keys() -> None:

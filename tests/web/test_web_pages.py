@@ -1,4 +1,4 @@
-"""The pages by hand: keyboard, phone, screen reader, both themes, paper, and a sheet solved to its end."""
+"""The pages by hand: keyboard, phone, names, both themes, paper, and a sheet to its end."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import pytest
 
+from nmatrix.cli.web import desk
 from nmatrix.lessons.exercises.exercise import Choice, ExerciseKind
 from nmatrix.lessons.exercises.scheme import Sheet
 from nmatrix.lessons.exercises.sheet import exercise
@@ -122,25 +123,29 @@ def each_state(page) -> Iterator[str]:
 
 
 UNNAMED = """() => [...document.querySelectorAll('main *, header *, footer *')]
-  .filter(one => one.matches('button, input, textarea, select, a, summary, iframe') && one.checkVisibility())
+  .filter(one => one.matches('button, input, textarea, select, a, summary, iframe'))
+  .filter(one => one.checkVisibility())
   .filter(one => !(one.getAttribute('aria-label') || one.title
     || [...(one.labels ?? [])].some(label => label.textContent.trim())
     || (!one.matches('input, textarea, select') && one.textContent.trim())))
   .map(one => one.outerHTML.slice(0, 80))"""
-SMALL = """() => [...document.querySelectorAll('button, input, textarea, select, summary, nav a, .pill, .more a, .doors h2 a')]
+SMALL = """() => [...document.querySelectorAll('button, input, textarea, select, summary, .pill')]
+  .concat([...document.querySelectorAll('nav a, .more a, .doors h2 a')])
   .filter(one => one.checkVisibility() && one.id !== 'skip')
-  .map(one => (one.matches('[type=radio], [type=checkbox], [type=file]') ? one.closest('label') : one))
-  .filter(one => { const box = one.getBoundingClientRect(); return box.height < 39.5 || box.width < 39.5; })
-  .map(one => one.outerHTML.slice(0, 80))"""
+  .map(one => one.matches('[type=radio], [type=checkbox], [type=file]') ? one.labels[0] : one)
+  .map(one => [one, one.getBoundingClientRect()])
+  .filter(([, box]) => box.height < 39.5 || box.width < 39.5)
+  .map(([one]) => one.outerHTML.slice(0, 80))"""
 FAINT = """() => {
   const paint = document.createElement('canvas').getContext('2d', {willReadFrequently: true});
-  const channels = colour => { paint.clearRect(0, 0, 1, 1); paint.fillStyle = colour; paint.fillRect(0, 0, 1, 1);
-    return [...paint.getImageData(0, 0, 1, 1).data]; };
+  const channels = colour => { paint.clearRect(0, 0, 1, 1); paint.fillStyle = colour;
+    paint.fillRect(0, 0, 1, 1); return [...paint.getImageData(0, 0, 1, 1).data]; };
   const light = ([r, g, b]) => [r, g, b].map(c => c / 255)
     .map(c => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
     .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
   const behind = one => { for (let up = one; up; up = up.parentElement) {
-    const found = channels(getComputedStyle(up).backgroundColor); if (found[3] === 255) return found; }
+    const found = channels(getComputedStyle(up).backgroundColor);
+    if (found[3] === 255) return found; }
     return [255, 255, 255, 255]; };
   return [...document.querySelectorAll('body *')]
     .filter(one => one.checkVisibility() && !one.closest('svg, iframe')
@@ -247,6 +252,11 @@ def test_a_session_goes_on_at_its_address_and_goes_back_by_undo(page) -> None:
         )
     shown = page.locator("#transcript math").all_text_contents()
     assert "5" in shown[-1]  # det A = 2 · 3 − 1 · 1
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page.click("#calc-copy")
+    page.wait_for_selector("#calc-copy:text('Copied')")
+    copied = page.evaluate("navigator.clipboard.readText()")
+    assert copied == "".join(run_lines("A = [2 1; 1 3]", "A^-1"))
     held = page.evaluate("location.hash")
     page.click("#calc-clear")
     page.wait_for_selector("#transcript:empty", state="attached")
@@ -259,6 +269,12 @@ def test_a_session_goes_on_at_its_address_and_goes_back_by_undo(page) -> None:
     assert page.input_value("#calc-input") == "A = [2 1; 1 3]\nA^-1"
     page.click("#calc-undo")
     page.wait_for_function("() => !location.hash.includes('%5E-1')")
+
+
+def run_lines(*lines: str) -> list[str]:
+    """The transcript of the calculator's lines, as a terminal has it."""
+    told = desk().say("\n".join(lines))["turns"]
+    return ["\n".join(f"{one['echo']}{one['text']}" for one in told)]
 
 
 @slow

@@ -15,7 +15,7 @@ WAITED = """async () => {
     if (told.failed || told.ready) resolve(told);
   }));
 }"""
-LONG = ["handout", "--to", "moodle", "--variants", "5000", "-o", "bank.xml"]
+LONG = ["handout", "--to", "moodle", "--variants", "1000", "-o", "bank.xml"]
 LATER = """async ([name, asked]) => {
   const {ask} = await import('./engine.js');
   globalThis.later = ask(name, asked).then((one) => one, (error) => ({refused: error.message}));

@@ -1,5 +1,5 @@
 // The calculator as a notebook: statements, their answers, and the way to each.
-import {ask} from "./engine.js";
+import {ask, progress} from "./engine.js";
 import {at, button, copy, element, examples, fill, keep, remember, remembered, save, say, sentence, trouble} from "./parts.js";
 
 const EXAMPLES = [
@@ -22,6 +22,15 @@ let draft = "";
 let session = "";
 let shown = null; // the statements that the address tells and the transcript has
 
+// A worker counts its statements anew, so that what another one answered is asked of nobody.
+let life = 0;
+progress((told) => { if (told.failed || (told.stage === "loading" && told.total === 0)) life += 1; });
+
+function again(told, how) {
+  if (told.life !== life) throw new Error("Python began anew since: press Edit, then run it again");
+  return ask("again", {number: told.number, ...how});
+}
+
 // --- the transcript ---
 
 function entry(statement) {
@@ -32,6 +41,8 @@ function entry(statement) {
 }
 
 function settle(made, told) {
+  told.life = life;
+  made.dataset.text = `${told.echo}${told.text}`;
   made.removeAttribute("aria-busy");
   made.classList.toggle("failed", told.failed);
   made.replaceChildren();
@@ -62,7 +73,7 @@ function stepping(told, body) {
   return button("Steps", async ({target}) => {
     const open = target.getAttribute("aria-expanded") !== "true";
     try {
-      if (open) write(body, await ask("again", {number: told.number, steps: true}));
+      if (open) write(body, await again(told, {steps: true}));
       else write(body, told);
       target.setAttribute("aria-expanded", String(open));
     } catch (error) {
@@ -74,7 +85,7 @@ function stepping(told, body) {
 function taking(told, name, format) {
   return button(name, async ({target}) => {
     try {
-      copy((await ask("again", {number: told.number, format})).text, target);
+      copy((await again(told, {format})).text, target);
     } catch (error) {
       target.closest("li").append(trouble(error.message));
     }
@@ -228,7 +239,7 @@ at("calc-clear").addEventListener("click", async () => {
   }
   input.focus();
 });
-at("calc-copy").addEventListener("click", ({target}) => copy([...transcript.querySelectorAll("li")].map((one) => one.innerText).join("\n\n"), target));
+at("calc-copy").addEventListener("click", ({target}) => copy([...transcript.querySelectorAll("li")].map((one) => one.dataset.text ?? one.innerText).join("\n"), target));
 at("calc-link").addEventListener("click", ({target}) => {
   if (keep("calc", {s: session.trimEnd()})) copy(location.href, target);
   else copy("", target, "Too long: save it");
