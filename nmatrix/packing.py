@@ -12,14 +12,14 @@ from __future__ import annotations
 import io
 import sys
 import zipfile
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib.metadata import PackageNotFoundError, distribution
 from importlib.resources import files
 from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
-from nmatrix.errors import IllegalValueError, printable, refusal
-from nmatrix.requirements import PROJECT, listed, missing
+from nmatrix.errors import IllegalValueError, NMatrixError, printable, refusal
+from nmatrix.requirements import PROJECT, listed, missing, read_requirement
 from nmatrix.version import __version__
 
 if TYPE_CHECKING:
@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 # sources that it would colour; nothing here does.
 PURE = ("annotated_doc", "rich", "shellingham", "typer")
 LICENCES = ("LICENSE", "LICENCE", "COPYING", "NOTICE")
+USUAL = "nmatrix.pyz"
+COMMAND = f"python -m nmatrix.packing {USUAL}"
 UNUSED = ("__pycache__", "py.typed")
 FIRST_DAY = (1980, 1, 1, 0, 0, 0)  # of zip files: none remembers when it was packed
 REGULAR = 0o100644 << 16
@@ -91,8 +93,14 @@ def modules(package: str) -> dict[str, bytes]:
 def metadata() -> dict[str, bytes]:
     """Write what a zip file needs to know of this package's version and requirements."""
     lines = ["Metadata-Version: 2.1", "Name: nmatrix", f"Version: {__version__}"]
-    lines += [f"Requires-Dist: {one}" for one in listed()]
+    lines += sorted(f"Requires-Dist: {_in_one_spelling(one)}" for one in listed())
     return {f"nmatrix-{__version__}.dist-info/METADATA": "\n".join([*lines, ""]).encode()}
+
+
+def _in_one_spelling(requirement: str) -> str:
+    """Write a requirement alike, whether a project or a built package lists it."""
+    marker = requirement.partition(";")[2].strip()
+    return "; ".join(filter(None, (read_requirement(requirement)[1], marker)))
 
 
 def zipped(content: Mapping[str, bytes], head: bytes = b"") -> bytes:
@@ -145,21 +153,36 @@ def _licences(package: str) -> Iterable[Path]:
 
 
 def write(path: Path) -> None:
-    """Write the program to a file that may be run as it is.
+    """Write the program to a file that may be run as it is, in place of an older one.
 
     Raises
     ------
     IllegalValueError
-        If the file system refuses.
+        If something else lies there, or the file system refuses.
     """
+    told, step = f"file ({printable(str(path))})", "choose another name"
     try:
+        if path.exists() and not zipfile.is_zipfile(path):
+            raise IllegalValueError(told, "it is there, and is no packed program", step)
         path.write_bytes(program())
         path.chmod(0o755)
     except OSError as error:
-        raise IllegalValueError(
-            f"file ({printable(str(path))})", refusal(error), "choose another"
-        ) from None
+        raise IllegalValueError(told, refusal(error), step) from None
+
+
+def main(words: Sequence[str]) -> int:
+    """Write the program to the file that the words name, or tell in a line why not."""
+    try:
+        if len(words) > 1 or any(one.startswith("-") for one in words):
+            raise IllegalValueError("arguments", "they name one file", f"try {COMMAND}")
+        path = Path(*words) if words else Path(USUAL)
+        write(path)
+    except NMatrixError as error:
+        sys.stderr.write(f"error: {error}\n")
+        return error.exit_code
+    sys.stdout.write(f"Written: {path}\n")
+    return 0
 
 
 if __name__ == "__main__":
-    write(Path(sys.argv[1] if len(sys.argv) > 1 else "nmatrix.pyz"))
+    sys.exit(main(sys.argv[1:]))

@@ -7,6 +7,7 @@ a zip file in the metadata that were made of it.
 from __future__ import annotations
 
 import re
+import shlex
 import sys
 import tomllib
 from collections.abc import Iterable, Sequence
@@ -79,23 +80,32 @@ def missing_part(error: Exception, what: str) -> MissingPackageError | None:
 def install_command(*modules: str) -> str:
     """Write the command that installs the packages of some modules, in the range that is tried.
 
-    A program that pipx installed has its packages beside it, where pip does not reach.
+    A program that pipx or uv installed has its packages beside it, where pip does not reach.
 
     Examples
     --------
     >>> install_command("boots", "PIL").replace("'pillow>=11'", "pillow")
     'pip install boots pillow'
     """
-    by_pipx = (Path(sys.prefix) / "pipx_metadata.json").is_file()
+    quote = '"' if sys.platform == "win32" else "'"
     wanted = (requirement_of(one) for one in modules)
-    words = (f"'{one}'" if set(one) & set("<>=~!;") else one for one in wanted)
-    return " ".join(["pipx inject nmatrix" if by_pipx else "pip install", *words])
+    words = (f"{quote}{one}{quote}" if set(one) & set("<>=~!;") else one for one in wanted)
+    return " ".join([_installer(), *words])
+
+
+def _installer() -> str:
+    prefix = Path(sys.prefix)
+    if (prefix / "pipx_metadata.json").is_file():
+        return "pipx inject nmatrix"
+    if (prefix / "uv-receipt.toml").is_file():
+        return f"uv pip install --python {shlex.quote(str(prefix))}"
+    return "pip install"
 
 
 def requirement_of(module: str) -> str:
     """Find the package of a module and the versions that nmatrix asks for, or its bare name."""
     package = package_of(module)
-    return _ranges().get(package.lower(), package)
+    return _ranges().get(package, package)
 
 
 def is_required(module: str) -> bool:
@@ -106,19 +116,19 @@ def is_required(module: str) -> bool:
     >>> is_required("boots")
     False
     """
-    return package_of(module).lower() in _ranges()
+    return package_of(module) in _ranges()
 
 
 def package_of(module: str) -> str:
-    """Name the package that brings a module; an index does not tell capitals apart.
+    """Name the package that brings a module, as an index spells it.
 
     Examples
     --------
     >>> package_of("tree_sitter_glsl"), package_of("PIL.Image"), package_of("DracoPy")
-    ('tree-sitter-glsl', 'pillow', 'DracoPy')
+    ('tree-sitter-glsl', 'pillow', 'dracopy')
     """
     top = module.partition(".")[0]
-    return PACKAGES.get(top, top.replace("_", "-"))
+    return PACKAGES.get(top, top.replace("_", "-").lower())
 
 
 @cache
@@ -152,4 +162,4 @@ def read_requirement(line: str) -> tuple[str, str]:
     found = _NAME.match(wanted)
     assert found is not None  # metadata are well formed
     bounds = sorted(wanted[found.end() :].split(","), reverse=True)
-    return found[0].replace("_", "-").lower(), found[0] + ",".join(bounds)
+    return found[0], found[0] + ",".join(bounds)

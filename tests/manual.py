@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import inspect
 import re
 import textwrap
 from collections.abc import Iterable, Mapping
@@ -14,9 +13,8 @@ from pathlib import Path
 
 from typer.core import TyperArgument, TyperOption
 
-from nmatrix import errors
 from nmatrix.cli import help as pages
-from nmatrix.cli.app import DEFECT, INTERRUPTED, load
+from nmatrix.cli.app import load
 from nmatrix.cli.catalogue import COMMANDS, Panel
 from nmatrix.samples import samples
 from nmatrix.version import __version__
@@ -33,16 +31,6 @@ SPECIAL = {
     "`": r"\(ga",
     "^": r"\(ha",
     "~": r"\(ti",
-}
-EXIT_CODES = {
-    0: "Done.",
-    **{
-        kind.exit_code: str(inspect.getdoc(kind)).partition("\n")[0]
-        for kind in vars(errors).values()
-        if isinstance(kind, type) and errors.NMatrixError in kind.__bases__
-    },
-    DEFECT: "A defect of nmatrix.",
-    INTERRUPTED: "Interrupted.",
 }
 VARIABLES = {
     "COLUMNS": "How wide text may be, 40 to 1000; usually as the terminal, 80 at most.",
@@ -83,7 +71,7 @@ def manual(day: str) -> str:
         lines += [f".SS {plain(panel)}", *prose(", ".join(takers[panel])), *table(rows)]
     lines += [".SH ENVIRONMENT", *table({**pages.VARIABLES, **VARIABLES})]
     lines += [".SH FILES", *table(FILES)]
-    lines += [".SH EXIT STATUS", *table({str(code): one for code, one in EXIT_CODES.items()})]
+    lines += [".SH EXIT STATUS", *table({str(code): one for code, one in pages.exit_codes().items()})]
     lines += [".SH EXAMPLES", *examples(pages.EXAMPLES)]
     lines += [".SH SEE ALSO", *prose("nmatrix help --docs")]
     return "\n".join([*lines, ""])

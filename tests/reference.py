@@ -29,10 +29,11 @@ from nmatrix.calculator.functions import (
 from nmatrix.calculator.functions.function import Function, Parameter
 
 ENUM = re.compile(r"<\w+\.\w+: ('[^']*')>")  # a default, as Python shows it
+CLASS = re.compile(r"<class '(?:\w+\.)*(\w+)'>")
 QUOTED_TYPE = re.compile(r"(?<=\w): '([^']*)'")
 LINE = 88  # characters of a call that stays on one line
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "reference.md"
-OPENING = """# Reference
+OPENING = """# Python reference of nmatrix
 
 Every public name of `nmatrix`, with its docstring; [the tour](python.md) shows how they go
 together. This page is made by `python tests/reference.py`.
@@ -58,7 +59,7 @@ FAMILIES = {
 }
 PARTS = {
     "Arrays": "nmatrix.api.normals nmatrix.api.builders",
-    "Setups and reports": "nmatrix.api.setup nmatrix.api.report",
+    "Setups and reports": "nmatrix.api.setup nmatrix.api.report nmatrix.api.showing",
     "Commands": "nmatrix.api.commands nmatrix.api.pictures",
     "Values": "nmatrix.scene.world nmatrix.scene.camera nmatrix.scene.lens nmatrix.scene.setup "
     "nmatrix.linear.angle nmatrix.linear.projection nmatrix.linear.classify "
@@ -164,7 +165,7 @@ def signature(name: str, one: Any) -> str:
     call = f"{name}({', '.join(shown)}){returned}"
     if len(call) > LINE:
         call = f"{name}(\n" + "".join(f"    {part},\n" for part in shown) + f"){returned}"
-    plain = QUOTED_TYPE.sub(r": \1", ENUM.sub(r"\1", call))
+    plain = QUOTED_TYPE.sub(r": \1", CLASS.sub(r"\1", ENUM.sub(r"\1", call)))
     return f"```python\n{plain}\n```"
 
 

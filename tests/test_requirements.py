@@ -29,11 +29,15 @@ def _read_anew():
     requirements._ranges.cache_clear()
 
 
+def test_the_project_spells_packages_as_its_metadata_do() -> None:
+    assert [one for one in ASKED if not re.fullmatch(r"[a-z][a-z0-9-]*[<>=][^ ]+", one)] == []
+
+
 @pytest.mark.parametrize("line", ASKED)
 def test_a_package_is_installed_in_the_range_that_the_project_asks_for(line: str) -> None:
     name = re.split("[<>=]", line)[0]
     brought = {two: one for one, two in requirements.PACKAGES.items()}
-    module = brought.get(name.lower(), name.replace("-", "_"))
+    module = brought.get(name, name.replace("-", "_"))
     assert is_required(module)
     assert shlex.split(install_command(module)) == ["pip", "install", line]
 
@@ -45,7 +49,7 @@ def test_metadata_of_an_installed_package_say_the_same(line, monkeypatch) -> Non
     metadata = [f"{name}{bounds}; extra == 'some'"]
     monkeypatch.setattr(requirements, "PROJECT", Path("no/such/pyproject.toml"))
     monkeypatch.setattr(requirements, "requires", lambda _: metadata)
-    assert requirements._ranges() == {name.lower().replace("_", "-"): line}
+    assert requirements._ranges() == {name: line}
     assert read_requirement(line)[1] == line
 
 
@@ -59,10 +63,27 @@ def test_a_package_without_metadata_still_names_what_is_missing(monkeypatch) -> 
     assert not is_required("typst")
 
 
-def test_what_pipx_installed_gets_its_packages_through_pipx(tmp_path, monkeypatch) -> None:
-    (tmp_path / "pipx_metadata.json").write_text("{}")
-    monkeypatch.setattr(sys, "prefix", str(tmp_path))
-    assert install_command("typst") == "pipx inject nmatrix 'typst>=0.15,<0.17'"
+@pytest.mark.parametrize(
+    ("left_by", "command"),
+    [
+        ("pipx_metadata.json", ["pipx", "inject", "nmatrix"]),
+        ("uv-receipt.toml", ["uv", "pip", "install", "--python", "{prefix}"]),
+    ],
+)
+def test_a_program_in_a_place_of_its_own_gets_packages_there(
+    left_by: str, command: list[str], tmp_path, monkeypatch
+) -> None:
+    prefix = tmp_path / "a place"
+    prefix.mkdir()
+    (prefix / left_by).touch()
+    monkeypatch.setattr(sys, "prefix", str(prefix))
+    words = [one.format(prefix=prefix) for one in command]
+    assert shlex.split(install_command("typst")) == [*words, "typst>=0.15,<0.17"]
+
+
+def test_a_shell_of_windows_knows_double_quotes_alone(monkeypatch) -> None:
+    monkeypatch.setattr(sys, "platform", "win32")
+    assert install_command("typst") == 'pip install "typst>=0.15,<0.17"'
 
 
 def test_what_else_can_be_done_stands_last() -> None:
@@ -105,3 +126,9 @@ def test_no_document_installs_this_project_from_an_index() -> None:
             if path.name != Path(__file__).name and not re.search(r"inject|--from|--spec", one):
                 said[path.name] = one
     assert said == {}
+
+
+@pytest.mark.parametrize("extra", EXTRAS)
+def test_every_extra_is_explained_to_those_who_install(extra: str) -> None:
+    part = (ROOT / "README.md").read_text("utf-8").partition("## Other ways to get it")[2]
+    assert f"`{extra}`" in part.partition("\n## ")[0]

@@ -53,7 +53,9 @@ VARIABLES = {
     "NMATRIX_PYODIDE": "as --pyodide",
 }
 FULL_HELP = "Show this page; --help --full describes the options of the groups too."
-DOCS = Path(__file__).resolve().parents[2] / "docs"
+A_DOCUMENT = "conventions.md"
+SITE = "Build it; it needs the extra docs, and no network."
+CHECKOUT = Path(__file__).resolve().parents[2]
 
 
 def overview() -> list[Line]:
@@ -115,25 +117,61 @@ def of_options(commands: Iterable[GatheringCommand]) -> list[Line]:
 
 
 def of_documentation() -> list[Line]:
-    """Tell where the documentation is, which not every installation brings along."""
-    if (DOCS / "conventions.md").is_file():
-        return _wrapped(
-            f"The documentation is in {DOCS}; the README.md beside it says what is where."
+    """Tell where the documentation is, which a packed program does not bring along."""
+    if (folder := documents()) is not None:
+        page = _wrapped(
+            f"The documentation is in {folder}; the README.md in it says what is where."
         )
+        if (builder := folder / "website").is_dir():
+            page += _section("As a site, with search", {f"python {builder} -o site": SITE})
+        return page
     return [
         *_wrapped(
-            "The documentation is the folder docs of the source distribution of nmatrix; it is not "
-            "installed with the program. What is installed explains itself:"
+            "The documentation is the folder docs of an installed nmatrix and of its sources; it "
+            "is not packed into this program, which explains itself:"
         ),
         *_section(
             "Help",
             {
                 **HELP_PAGES,
                 "nmatrix derive all": "The mathematics, each step proved.",
-                "python -m pydoc nmatrix": "The Python package.",
             },
         ),
     ]
+
+
+def exit_codes() -> dict[int, str]:
+    """List what a program that calls this one reads: 0, those of the errors, and two more.
+
+    Examples
+    --------
+    >>> exit_codes()[0], exit_codes()[130]
+    ('Done.', 'Interrupted.')
+    """
+    from nmatrix import errors
+    from nmatrix.cli.app import DEFECT, INTERRUPTED
+
+    kinds = [one for one in vars(errors).values() if isinstance(one, type)]
+    refused = {
+        one.exit_code: (one.__doc__ or "").partition("\n")[0]
+        for one in kinds
+        if errors.NMatrixError in one.__bases__
+    }
+    return {0: "Done.", **refused, DEFECT: "A defect of nmatrix.", INTERRUPTED: "Interrupted."}
+
+
+def documents() -> Path | None:
+    """Find the documentation: the folder docs of a checkout, else where a wheel has put it."""
+    if (CHECKOUT / "docs" / A_DOCUMENT).is_file():
+        return CHECKOUT / "docs"
+    from importlib.metadata import PackageNotFoundError, files
+
+    try:
+        brought = files("nmatrix") or ()
+    except PackageNotFoundError:
+        return None
+    found = (Path(str(one.locate())) for one in brought if one.name == A_DOCUMENT)
+    return next((one.resolve().parent for one in found if one.is_file()), None)
 
 
 def _some(names: list[str]) -> str:

@@ -7,11 +7,11 @@ mirror, and up to length when it scales alike everywhere. Numbers stay exact unt
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
-from math import isfinite
+from math import isfinite, nan
 from operator import add, mul
 
 from nmatrix.enums import Space
@@ -103,34 +103,44 @@ def _eye_by_inverse(maps: ExactMaps, space: Space) -> Three | None:
         world_from_space = maps.space_from_world(space).inverse().matrix
     except IllegalValueError:  # an entry beyond float64, which such a program cannot hold
         return None
-    columns = tuple(zip(*world_from_space, strict=True))
-    found = _last_column_of_inverse([[_float_dot(row, one) for one in columns] for row in V])
-    return None if found is None or not all(map(isfinite, found)) else found
+    columns = list(zip(*world_from_space, strict=True))
+    MV = [[_float_dot(row, column) for column in columns] for row in V]
+    found = _last_column_of_inverse(MV)
+    return found[:3] if all(map(isfinite, found)) else None
 
 
-def _float_dot(a: Sequence[float], b: Sequence[float]) -> float:
+def _last_column_of_inverse(A: Sequence[Sequence[float]]) -> Three:
+    """Solve A x = e by Gaussian elimination with partial pivoting, as float64 programs do.
+
+    Examples
+    --------
+    >>> _last_column_of_inverse([[1.0, 0, 3], [0, 2.0, 4], [0, 0, 1.0]])
+    (-3.0, -2.0, 1.0)
+    >>> _last_column_of_inverse([[1.0, 1.0], [1.0, 1.0]])
+    (nan, nan)
+    """
+    size = len(A)
+    rows = [[*row, float(i == size - 1)] for i, row in enumerate(A)]
+    for i in range(size):
+        pivot = max(range(i, size), key=lambda row: abs(rows[row][i]))
+        if rows[pivot][i] == 0:
+            return (nan,) * size
+        rows[i], rows[pivot] = rows[pivot], rows[i]
+        for row in rows[i + 1 :]:
+            factor = row[i] / rows[i][i]
+            row[i:] = [
+                one - factor * other for one, other in zip(row[i:], rows[i][i:], strict=True)
+            ]
+    x = [0.0] * size
+    for i in reversed(range(size)):
+        known = _float_dot(rows[i][i + 1 : size], x[i + 1 :])
+        x[i] = (rows[i][size] - known) / rows[i][i]
+    return tuple(x)
+
+
+def _float_dot(a: Iterable[float], b: Iterable[float]) -> float:
     """Add products from the left, each rounded; `sum` rounds otherwise from Python 3.12 on."""
-    products: Iterator[float] = map(mul, a, b)
-    return reduce(add, products)
-
-
-def _last_column_of_inverse(rows: Sequence[Sequence[float]]) -> Three | None:
-    """Solve A x = (0, 0, 0, 1) in floats, by elimination with the largest pivots."""
-    left = [[*row, float(i == 3)] for i, row in enumerate(rows)]
-    for k in range(4):
-        best = max(range(k, 4), key=lambda i: abs(left[i][k]))
-        left[k], left[best] = left[best], left[k]
-        pivot = left[k]
-        if pivot[k] == 0:
-            return None
-        for i in range(k + 1, 4):
-            factor = left[i][k] / pivot[k]
-            left[i] = [a - factor * b for a, b in zip(left[i], pivot, strict=True)]
-    x = [0.0] * 4
-    for k in (3, 2, 1, 0):
-        known = _float_dot(left[k][k + 1 : 4], x[k + 1 :]) if k < 3 else 0.0
-        x[k] = (left[k][4] - known) / left[k][k]
-    return x[0], x[1], x[2]
+    return reduce(add, map(mul, a, b), 0.0)
 
 
 def _relative(exact: RationalVector, course: Three) -> Fraction | None:

@@ -103,12 +103,29 @@ def test_the_groups_are_explained_once(nmatrix) -> None:
     assert page.count("  --world-matrix ") == 1
 
 
+class Brought(type(Path())):
+    """A file that an installation brought, as its metadata list it."""
+
+    def locate(self) -> Path:
+        return Path(self)
+
+
 def test_the_documentation_is_where_the_help_says(nmatrix, monkeypatch, tmp_path) -> None:
-    assert str(ROOT / "docs") in "".join(nmatrix("help --docs").out.split())
-    monkeypatch.setattr(pages, "DOCS", tmp_path)
+    told = "".join(nmatrix("help --docs").out.split())
+    assert f"documentationisin{ROOT / 'docs'};" in told
+    assert f"python{ROOT / 'docs' / 'website'}-osite" in told
+    assert (ROOT / "docs" / "website" / "__main__.py").is_file()
+    monkeypatch.setattr(pages, "CHECKOUT", tmp_path)
+    installed = tmp_path / "share" / "docs" / pages.A_DOCUMENT
+    monkeypatch.setattr("importlib.metadata.files", lambda _: [Brought(installed)])
     page = nmatrix("help --docs").out
-    assert "not installed" in " ".join(page.split())
+    assert "is not packed into this program" in " ".join(page.split())
     assert str(tmp_path) not in page
+    installed.parent.mkdir(parents=True)
+    installed.touch()
+    told = "".join(nmatrix("help --docs").out.split())
+    assert str(installed.parent) in told
+    assert "website" not in told
 
 
 def test_help_for_what_is_no_command_is_refused(nmatrix) -> None:

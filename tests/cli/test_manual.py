@@ -70,6 +70,15 @@ def test_a_terminal_of_80_columns_shows_it_whole(shown: str) -> None:
     assert max(map(len, shown.splitlines())) <= 80
 
 
+def test_every_variable_that_the_program_reads_is_told(page: str) -> None:
+    read = {
+        name
+        for path in (manual.PAGE.parents[1] / "nmatrix").rglob("*.py")
+        for name in re.findall(r"\bNMATRIX_[A-Z]+", path.read_text("utf-8"))
+    }
+    assert {one for one in read if one not in page} == set()
+
+
 def test_no_text_is_taken_for_an_order() -> None:
     assert manual.plain(".5 and 'a' - \\n ~ ^") == r"\&.5 and \(aqa\(aq \- \en \(ti \(ha"
     assert manual.plain("κ −") == r"\[u03BA] \[u2212]"

@@ -510,8 +510,8 @@ def test_without_its_package_what_draco_packed_is_told_and_not_made_up(
     file = made.file(tmp_path, nodes=[{"mesh": 0}], meshes=meshes(packed(made)))
     found = mesh_normals(file, 0)
     assert (found.origin, found.degenerate, found.packing) == (NormalsFrom.PACKED, 0, "Draco")
-    assert "(pip install 'DracoPy>=" in found.faults[0].reason
-    with pytest.raises(MissingPackageError, match=r"packed by Draco.*pip install 'DracoPy"):
+    assert "(pip install 'dracopy>=" in found.faults[0].reason
+    with pytest.raises(MissingPackageError, match=r"packed by Draco.*pip install 'dracopy"):
         loaded(gltf_scene(file.path))
 
 

@@ -7,9 +7,10 @@ import shutil
 import subprocess
 from fractions import Fraction
 from itertools import product
-from math import isclose, sqrt
+from math import isclose, isfinite, sqrt
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from nmatrix.enums import Reflection, Shading, Space
@@ -19,7 +20,7 @@ from nmatrix.linear.rational import RationalMatrix, RationalVector
 from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
 from nmatrix.shaders.sheet import Request, program_of
-from nmatrix.spaces.light_and_eye import light_in
+from nmatrix.spaces.light_and_eye import _last_column_of_inverse, light_in
 
 WORLDS = {
     "scale": World(scale=(1, 4, 1), rotate_degrees=(10, 20, 30)),
@@ -123,3 +124,19 @@ def test_a_compiler_accepts_every_shader(tmp_path: Path) -> None:
             files.append(str(file))
     done = subprocess.run([compiler, *files], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout[-2000:]
+
+
+@pytest.mark.parametrize("scale", [1e-150, 1.0, 1e150])
+def test_the_course_inverts_as_float64_programs_do(scale: float) -> None:
+    random = np.random.default_rng(26)
+    for A in random.uniform(-9, 9, (200, 4, 4)) * scale:
+        A[0, 0] = 0 if A[0, 1] > 0 else 1e-17 * scale  # a pivot must be looked for
+        right = np.linalg.inv(A)
+        found = np.array(_last_column_of_inverse(A.tolist()))
+        apart = np.abs(found - right[:, 3]).max()
+        assert apart <= 1e-14 * np.linalg.cond(A) * np.abs(right).max()
+
+
+@pytest.mark.parametrize("number", [0.0, float("inf"), float("nan"), 1e308])
+def test_what_floats_cannot_invert_gives_no_numbers(number: float) -> None:
+    assert not any(map(isfinite, _last_column_of_inverse([[number] * 4] * 4)))
