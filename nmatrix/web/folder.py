@@ -30,6 +30,7 @@ LOCK = "pyodide-lock.json"  # the list of its packages
 PURE = ("annotated_doc", "shellingham", "typer")  # Rich draws bars on terminals alone
 PROGRAM, EXPLORER, COLOURS, CONTENTS = "nmatrix.zip", "explorer.html", "colours.css", "folder.json"
 ENDINGS = (".css", ".html", ".js", ".svg")  # of the files that are the pages
+FONT = "math.woff2"  # of the formulas: phones have none whose brackets stretch
 LICENCES = """\
 nmatrix %s is MIT, its font of mathematics OFL-1.1. Pyodide %s is MPL-2.0: npm's package pyodide
 says where its source is; the Python in it is under the licence of the Python Software Foundation.
@@ -80,7 +81,8 @@ def pages() -> dict[str, bytes]:
     True
     """
     found = (one for one in files(__package__).joinpath("pages").iterdir())
-    return {one.name: one.read_bytes() for one in found if one.name.endswith(ENDINGS)}
+    own = {one.name: one.read_bytes() for one in found if one.name.endswith(ENDINGS)}
+    return {**own, FONT: files("nmatrix.output.pages").joinpath(FONT).read_bytes()}
 
 
 def program() -> bytes:

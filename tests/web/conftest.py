@@ -44,7 +44,7 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
         pass
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def served() -> Iterator:
     """Serve a folder on the loopback, and return the address."""
     running = []
