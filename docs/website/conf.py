@@ -2,6 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+from sphinx.addnodes import index
+from sphinx.application import Sphinx
+from sphinx.transforms import SphinxTransform
+
 from nmatrix.version import __version__
 
 project = "nmatrix"
@@ -50,3 +56,20 @@ html_theme_options = {
         "color-brand-visited": "#C79BF2",
     },
 }
+
+
+class SymptomsAlone(SphinxTransform):
+    """Takes the options of commands out of the index, which is of what people see and type."""
+
+    default_priority = 800  # before Sphinx collects the index
+
+    def apply(self, **_: Any) -> None:
+        """Take them out of one page."""
+        for node in list(self.document.findall(index)):
+            if all("command line option" in entry[1] for entry in node["entries"]):
+                node.parent.remove(node)
+
+
+def setup(app: Sphinx) -> None:
+    """Tell Sphinx of it."""
+    app.add_transform(SymptomsAlone)
