@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from sphinx.addnodes import index
 from sphinx.application import Sphinx
 from sphinx.transforms import SphinxTransform
@@ -63,7 +61,7 @@ class SymptomsAlone(SphinxTransform):
 
     default_priority = 800  # before Sphinx collects the index
 
-    def apply(self, **_: Any) -> None:
+    def apply(self, **_: object) -> None:
         """Take them out of one page."""
         for node in list(self.document.findall(index)):
             if all("command line option" in entry[1] for entry in node["entries"]):
