@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from nmatrix.api.report import Picture as Picture
     from nmatrix.api.report import Report as Report
     from nmatrix.api.setup import Setup as Setup
+    from nmatrix.api.showing import show as show
     from nmatrix.enums import Api as Api
     from nmatrix.enums import ClipY as ClipY
     from nmatrix.enums import Convention as Convention
@@ -97,6 +98,7 @@ _NAMES = {
     "api.commands": "axes calc check check_exercise derive identify inspect lint plan",
     "api.pictures": "render",
     "api.report": "Picture Report",
+    "api.showing": "show",
     "scene.world": "World",
     "scene.camera": "FirstPerson View",
     "scene.lens": "Lens",

@@ -7,16 +7,18 @@ A `Quantity` names its place in `data` by its `key`, so that every format speaks
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from fractions import Fraction
 from functools import cached_property
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 from nmatrix.enums import Numbers, Severity
 from nmatrix.errors import NMatrixError, spelled
-from nmatrix.surds import Surd
+from nmatrix.surds import Surd, is_short
 
 if TYPE_CHECKING:
     from nmatrix.formula import Row
@@ -356,6 +358,17 @@ class Report:
     about: int = 0
     numbers: Numbers = Numbers.DECIMAL
 
+    @classmethod
+    def of_value(cls, *blocks: Block) -> Report:
+        """Tell of a value that nobody asked a question about, in short fractions and roots.
+
+        Examples
+        --------
+        >>> Report.of_value(Quantity("a", (Fraction(1, 3), Fraction(3**0.5)))).blocks[0].value
+        (Fraction(1, 3), 1.7320508075688772)
+        """
+        return cls("show", {}, _each_number(blocks, _short_or_nearest), numbers=Numbers.EXACT)
+
     def spelled(self, spell: Callable[[str], str]) -> Report:
         """Spell the names of quantities in sentences and remarks as the caller types them."""
         return replace(
@@ -378,26 +391,44 @@ class Report:
         short = self.brief
         return replace(
             self,
-            data=_in_floats(self.data),
-            blocks=_in_floats(self.blocks),
-            brief=short and replace(short, blocks=_in_floats(short.blocks)),
+            data=_each_number(self.data, _nearest),
+            blocks=_each_number(self.blocks, _nearest),
+            brief=short and replace(short, blocks=_each_number(short.blocks, _nearest)),
         )
 
 
-def _in_floats(value: Any) -> Any:  # noqa: ANN401  # whatever a report holds
+class Displayed(ABC):
+    """A value that shows itself in a notebook: it says its blocks, and one function writes them.
+
+    That function stands with the writers, floors above, and is found by its name when a notebook
+    asks: who never shows a value never loads it.
+    """
+
+    @abstractmethod
+    def _repr_report_(self) -> Report:
+        """Tell this value to a person."""
+
+    def _repr_mimebundle_(self, **_: object) -> dict[str, str | bytes]:
+        """Show the value as HTML with MathML, as LaTeX, and as text."""
+        found: dict[str, str | bytes] = import_module("nmatrix.output.notebook").bundle(self)
+        return found
+
+
+def _each_number(value: Any, told: Callable[[Fraction], Number]) -> Any:  # noqa: ANN401  # whatever a report holds
+    """Take each fraction in a part of a report for what stands in its place."""
     match value:
         case Fraction():
-            found: object = _nearest(value)
+            found: object = told(value)
         case Mapping():
-            found = {key: _in_floats(one) for key, one in value.items()}
+            found = {key: _each_number(one, told) for key, one in value.items()}
         case Quantity():
-            found = replace(value, value=_in_floats(value.value))
+            found = replace(value, value=_each_number(value.value, told))
         case Table():
-            found = replace(value, rows=_in_floats(value.rows))
+            found = replace(value, rows=_each_number(value.rows, told))
         case Framed() | Task():
-            found = replace(value, blocks=_in_floats(value.blocks))
+            found = replace(value, blocks=_each_number(value.blocks, told))
         case Sequence() if not isinstance(value, str):
-            found = tuple(map(_in_floats, value))
+            found = tuple(_each_number(one, told) for one in value)
         case _:
             found = value
     return found
@@ -409,3 +440,8 @@ def _nearest(value: Fraction) -> float | Fraction:
     except OverflowError:
         return value
     return rounded if rounded or not value else value
+
+
+def _short_or_nearest(value: Fraction) -> Number:
+    """Keep a fraction that people write; of one that only stands for √3/2 its float is told."""
+    return value if is_short(value) else _nearest(value)

@@ -59,7 +59,7 @@ FAMILIES = {
 }
 PARTS = {
     "Arrays": "nmatrix.api.normals nmatrix.api.builders",
-    "Setups and reports": "nmatrix.api.setup nmatrix.api.report",
+    "Setups and reports": "nmatrix.api.setup nmatrix.api.report nmatrix.api.showing",
     "Commands": "nmatrix.api.commands nmatrix.api.pictures",
     "Values": "nmatrix.scene.world nmatrix.scene.camera nmatrix.scene.lens nmatrix.scene.setup "
     "nmatrix.linear.angle nmatrix.linear.projection nmatrix.linear.classify "

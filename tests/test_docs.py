@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import doctest
 import re
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -96,3 +97,14 @@ def test_the_reference_is_made_of_the_docstrings_and_holds_every_public_name() -
     assert written == reference.reference(), "run python tests/reference.py"
     named = re.findall(r"^### (\w+)$", written, re.MULTILINE)
     assert sorted(named) == sorted(name for name in nmatrix.__all__ if not name.startswith("_"))
+
+
+def test_the_citation_says_what_the_project_says() -> None:
+    project = tomllib.loads((DOCS.parent / "pyproject.toml").read_text())["project"]
+    cited = (DOCS.parent / "CITATION.cff").read_text()
+    assert re.findall(r"^version: (.*)$", cited, re.MULTILINE) == [nmatrix.__version__]
+    listed = re.findall(r"^  - (?:name: )?(.*)$", cited, re.MULTILINE)
+    authors = [one["name"] for one in project["authors"]]
+    assert listed == [*project["license"].split(" AND "), *authors, *project["keywords"]]
+    abstract = " ".join(cited.partition("abstract: >-")[2].partition("type:")[0].split())
+    assert abstract == project["description"]

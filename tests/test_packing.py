@@ -15,7 +15,6 @@ import pytest
 
 from nmatrix import packing
 from nmatrix.errors import IllegalValueError, MissingPackageError
-from nmatrix.version import __version__
 
 ROOT = Path(__file__).resolve().parents[1]
 LICENSE = (ROOT / "LICENSE").read_text("utf-8")
@@ -210,8 +209,3 @@ def test_a_zip_file_tells_nothing_of_the_day_or_the_machine() -> None:
     with zipfile.ZipFile(io.BytesIO(packing.zipped({"b": b"2", "a": b"1"}))) as content:
         told = [(one.filename, one.date_time, one.create_system) for one in content.infolist()]
     assert told == [(name, (1980, 1, 1, 0, 0, 0), 3) for name in "ab"]
-
-
-def test_the_citation_names_this_version() -> None:
-    text = (ROOT / "CITATION.cff").read_text("utf-8")
-    assert re.findall(r"^version: (.*)$", text, re.MULTILINE) == [__version__]

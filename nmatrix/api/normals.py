@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nmatrix.api import arrays
+from nmatrix.api.showing import MOST, first_rows
 from nmatrix.enums import Level, NormalMatrixKind, chosen
 from nmatrix.errors import IllegalValueError, NMatrixError, NoAnswerError
 from nmatrix.linear import angle, batched, rational, rounding
@@ -21,12 +22,13 @@ from nmatrix.linear.classify import BUILT, Classification
 from nmatrix.linear.classify import classify as _classify
 from nmatrix.linear.exact import LinearMap
 from nmatrix.linear.values import flag, real
+from nmatrix.report import Displayed, Report
 
 Array = NDArray[Any]
 
 
 @dataclass(frozen=True, eq=False)
-class TransformedNormals:
+class TransformedNormals(Displayed):
     """What became of normals.
 
     Parameters
@@ -43,6 +45,14 @@ class TransformedNormals:
     normals: Array
     status: Array
     bound_rad: Array
+
+    def _repr_report_(self) -> Report:
+        """Tell the first normals, each with its status and its bound."""
+        flat = (self.normals.reshape(-1, 3), self.status.ravel(), self.bound_rad.ravel())
+        shown = zip(*(one[:MOST].tolist() for one in flat), strict=True)
+        rows = [(*normal, status, bound) for normal, status, bound in shown]
+        columns = ("x", "y", "z", "status", "within (rad)")
+        return Report.of_value(*first_rows(columns, rows, self.status.size))
 
 
 def normal_matrix(

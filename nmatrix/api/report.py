@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -21,7 +21,7 @@ BESIDE = ("command", "version", "layout", "remarks")  # in the JSON, beside the 
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class Report:
+class Report(report.Displayed):
     """One answer: its numbers in `data`, its sentences in `remarks`, and `to` for every format.
 
     A notebook shows it with its formulas; `print` shows what a terminal would.
@@ -101,16 +101,9 @@ class Report:
         """Name the command and the keys of its data."""
         return f"<Report of nmatrix {self.command}: {', '.join(self.data)}>"
 
-    def _repr_mimebundle_(self, **_: object) -> dict[str, str]:
-        """Show the answer in a notebook: HTML with MathML, LaTeX, and text for all others."""
-        told = replace(self.answer, data={})  # for people: the blocks, no further keys
-        bundle = {"text/plain": str(self)}
-        for kind, format_ in (("text/html", Format.MATHML), ("text/latex", Format.LATEX)):
-            try:
-                bundle[kind] = _written(told, format_)
-            except NMatrixError:  # a format that cannot say this answer is left out
-                continue
-        return bundle
+    def _repr_report_(self) -> report.Report:
+        """Hand on the answer itself."""
+        return self.answer
 
 
 def _written(
@@ -171,6 +164,6 @@ class Picture(Report):
     def _repr_png_(self) -> bytes:
         return self.png
 
-    def _repr_mimebundle_(self, **_: object) -> dict[str, Any]:
+    def _repr_mimebundle_(self, **_: object) -> dict[str, str | bytes]:
         """Show the picture in a notebook, and its numbers where there are only words."""
         return {"text/plain": str(self), "image/png": self.png}

@@ -8,6 +8,7 @@ from numbers import Real
 from pathlib import Path
 from typing import Any
 
+from nmatrix import report
 from nmatrix.api.report import Report
 from nmatrix.enums import (
     NORMAL_METHODS,
@@ -18,6 +19,7 @@ from nmatrix.enums import (
     chosen,
 )
 from nmatrix.linear.values import flag, named_file, number, plain_value, real, refused, vector
+from nmatrix.report import Displayed
 from nmatrix.samples import file_or_sample
 from nmatrix.scene import setup
 from nmatrix.scene.camera import View
@@ -31,7 +33,7 @@ Part = Any  # a frozen value, a mapping of the options' names, or a matrix
 
 
 @dataclass(frozen=True, init=False, repr=False)
-class Setup:
+class Setup(Displayed):
     """An object's place, a camera, a lens and a light; its methods are the commands.
 
     Each part is a frozen value (`World`, `View`, `Lens`, `Light`), or a mapping with the names of
@@ -91,6 +93,10 @@ class Setup:
         parts = ((name, getattr(mine, name)) for name in names)
         shown = (f"{name}={one!r}" for name, one in parts if one != getattr(usual, name))
         return f"Setup({', '.join(shown)})"
+
+    def _repr_report_(self) -> report.Report:
+        """Tell the matrices, the eye and the light."""
+        return self.values._repr_report_()
 
     @classmethod
     def from_scene(

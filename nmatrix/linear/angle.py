@@ -15,6 +15,7 @@ from math import cos, isqrt, sin
 from nmatrix.errors import IllegalValueError
 from nmatrix.linear.rounding import direction, nearest
 from nmatrix.linear.values import number, real
+from nmatrix.report import Displayed, Quantity, Report
 
 BITS = 160  # the others than `KNOWN_BITS` for what the halvings and the series cut off
 KNOWN_BITS = 130  # of a sine
@@ -24,7 +25,7 @@ DEGREES = 180 / PI  # in a radian
 
 
 @dataclass(frozen=True)
-class Angle:
+class Angle(Displayed):
     """A turn, by the right-hand rule where it is about an axis."""
 
     sine: Fraction
@@ -93,6 +94,14 @@ class Angle:
         exact = size if self.sine >= 0 else -size
         rounded = exact.numerator / exact.denominator
         return rounded if Angle.degrees(rounded) == self else exact
+
+    def _repr_report_(self) -> Report:
+        """Tell the angle in degrees, its sine and its cosine."""
+        return Report.of_value(
+            Quantity("degrees", self.in_degrees, "angle", "°"),
+            Quantity("sine", nearest(self.sine), "sine"),
+            Quantity("cosine", nearest(self.cosine), "cosine"),
+        )
 
     def __repr__(self) -> str:
         """Return the call that makes this angle, or the nearest one that a float makes."""

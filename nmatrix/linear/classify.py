@@ -29,6 +29,7 @@ from nmatrix.linear.rational import (
     translation,
 )
 from nmatrix.linear.rounding import nearest, short_text
+from nmatrix.report import Displayed, Quantity, Report
 
 BUILT = 1e-12  # columns of a matrix built from angles agree to a few 1e-16; room for products
 FROM_FILE = 1e-6  # float32 files: 6e-8 a component, room for products
@@ -46,7 +47,7 @@ _NEEDS_INVERSE_TRANSPOSE = {Kind.NON_UNIFORM_SCALE, Kind.SHEAR, Kind.SINGULAR}
 
 
 @dataclass(frozen=True)
-class Classification:
+class Classification(Displayed):
     """The kind of one map, with the numbers that belong to it.
 
     `kind` is to the digits given, `kind_as_typed` that of the very floats to rounding, and
@@ -57,6 +58,15 @@ class Classification:
     kind_as_typed: Kind
     kind_exact: bool
     linear_map: LinearMap
+
+    def _repr_report_(self) -> Report:
+        """Tell the kind of map, its determinant, its rank and its condition."""
+        return Report.of_value(
+            Quantity("transform", self.kind.value.replace("-", " "), "kind"),
+            Quantity("determinant", self.linear_map.determinant, "determinant"),
+            Quantity("rank", self.rank, "rank"),
+            Quantity("condition", self.condition_text, "condition σ₁/σ₃"),
+        )
 
     @property
     def determinant_sign(self) -> int:

@@ -28,6 +28,7 @@ from nmatrix.errors import IllegalValueError, NoAnswerError, quantity
 from nmatrix.linear.angle import Angle
 from nmatrix.linear.rational import ONE, ZERO, RationalMatrix, determinant, exactly
 from nmatrix.linear.values import read_fields, real
+from nmatrix.report import Displayed, Quantity, Report
 
 Sides = tuple[Fraction, Fraction, Fraction, Fraction]  # left, right, bottom, top
 
@@ -35,7 +36,7 @@ CLIP_PARTS = ("depth", "handed", "clip_y")  # what may be given beside an interf
 
 
 @dataclass(frozen=True)
-class ClipSpace:
+class ClipSpace(Displayed):
     """What the receiving interface expects: depth range, handedness, direction of y, origin."""
 
     depth: DepthRange = DepthRange.MINUS_ONE_TO_ONE
@@ -56,6 +57,15 @@ class ClipSpace:
     def parts(self) -> dict[str, DepthRange | Handedness | ClipY]:
         """What a matrix decides of it; the origin of the window is not in it."""
         return {"depth": self.depth, "handed": self.handed, "clip_y": self.clip_y}
+
+    def _repr_report_(self) -> Report:
+        """Tell its parts, and the interfaces that have just these."""
+        names = [api.value for api, preset in API_PRESETS.items() if ClipSpace(*preset) == self]
+        parts = (*self.parts.items(), ("origin", self.origin))
+        return Report.of_value(
+            *(Quantity(name, word.value, name.replace("_", " ")) for name, word in parts),
+            Quantity("apis", ", ".join(names) or None, "as in"),
+        )
 
     @property
     def forward_z(self) -> int:
@@ -119,7 +129,7 @@ def front_sign(clip_from_object: RationalMatrix, space: ClipSpace) -> int:
 
 
 @dataclass(frozen=True)
-class Window:
+class Window(Displayed):
     """The rectangle that a frustum or a box cuts out of the near plane."""
 
     left: float
@@ -129,6 +139,10 @@ class Window:
 
     def __post_init__(self) -> None:
         read_fields(self, left=real, right=real, bottom=real, top=real)
+
+    def _repr_report_(self) -> Report:
+        """Tell its four sides."""
+        return Report.of_value(*(Quantity(side, value, side) for side, value in vars(self).items()))
 
     def sides(self, read: Callable[[float], Fraction] = Fraction) -> Sides:
         """Return the four sides exactly."""

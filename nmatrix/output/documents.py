@@ -30,6 +30,7 @@ from nmatrix.report import (
     Table,
     Task,
     Text,
+    Tone,
     Verdict,
 )
 from nmatrix.surds import Surd
@@ -58,6 +59,10 @@ class Dialect(ABC):
     @abstractmethod
     def strong(self, text: str) -> str:
         """Write the one-line conclusion."""
+
+    def verdict(self, text: str, tone: Tone) -> str:  # for those that have colours
+        """Write the one-line conclusion as what it tells: right, wrong or neither."""
+        return self.strong(text)
 
     @abstractmethod
     def matrix(self, key: str, title: str, equation: Node) -> str:
@@ -156,8 +161,8 @@ def _block(block: Block, dialect: Dialect) -> str:  # noqa: C901, PLR0912  # one
             found = dialect.heading(text)
         case Text(text):
             found = dialect.paragraph(text)
-        case Verdict(text):
-            found = dialect.strong(text)
+        case Verdict(text, tone):
+            found = dialect.verdict(text, tone)
         case Quantity():
             found = _quantity(block, dialect)
         case Table(columns, rows, title):
@@ -167,8 +172,9 @@ def _block(block: Block, dialect: Dialect) -> str:  # noqa: C901, PLR0912  # one
             found = dialect.formula(block)
         case Step(formula, because, verified):
             found = dialect.step(formula, because, verified=verified)
-        case Code(language, text):
-            found = dialect.code(language, text)
+        case Code(language, text, title):
+            about = f"{dialect.paragraph(title)}\n\n" if title else ""
+            found = about + dialect.code(language, text)
         case Figure():
             found = dialect.figure(block)
         case Symbols(meanings):

@@ -80,3 +80,34 @@ class MathML(Dialect):
 
     def words(self, text: str) -> str:
         return prose(text)
+
+
+class StyledMathML(MathML):
+    """How pages with a style sheet write what bare elements cannot tell apart."""
+
+    def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
+        """Write a table that scrolls by itself where there is little room."""
+        table = super().table(title, columns, rows)
+        table = table.replace("<tr>", "<thead><tr>", 1).replace("</tr>", "</tr></thead>", 1)
+        return f'<div class="wide">{table}</div>'
+
+    def step(self, formula: Formula, because: str, *, verified: bool) -> str:
+        """Write a step that stays together on a page."""
+        mark = "proved" if verified else "unproved"
+        words = because if verified else f"not proved: {because}"
+        return (
+            f'<div class="step">{self.formula(formula)}<p class="{mark}">{prose(words)}</p></div>'
+        )
+
+    def inline_formula(self, formula: Formula) -> str:
+        """Write a formula among words."""
+        return inline(mathml(formula.tree), spoken(formula.tree))
+
+    def symbols(self, meanings: Sequence[tuple[str, str]]) -> str:
+        """Write letters and their words in two columns, one on a phone."""
+        entries = "".join(f"<div><dt>{a}</dt><dd>{b}</dd></div>" for a, b in meanings)
+        return f'<dl class="symbols">{entries}</dl>'
+
+    def framed(self, body: str) -> str:
+        """Put a bar beside some blocks, and a tint behind them."""
+        return f'<div class="framed">\n{body}\n</div>'

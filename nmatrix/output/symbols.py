@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 
-from nmatrix.formula import Name, Node, Words, parse
+from nmatrix.formula import Name, Node, Row, Sign, Words, parse
 
 LETTERS = {
     "world_from_object": "M",
@@ -32,7 +32,8 @@ LETTERS = {
     "normals.transformed": "n′",
 }
 _PLACE = re.compile(r"\.\d+(?=\.|$)")  # in a list: spaces.0.eye
-_PLAIN = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ,.'()/-]*")  # words that every notation can set
+_ARROW = re.compile(r"([a-z]+) ← ([a-z]+)")  # from one frame to another
+_PLAIN = re.compile(r"[A-Za-z0-9][A-Za-z0-9 ,.'()\[\]/-]*")  # words that every notation can set
 
 
 def letter(key: str) -> str:
@@ -62,6 +63,8 @@ def label(key: str, title: str) -> tuple[Node, str]:
         return parse(symbol), "" if title.strip() == symbol else title
     if _PLAIN.fullmatch(title):
         return _called(title), ""
+    if arrow := _ARROW.fullmatch(title):
+        return Row((Words(arrow[1]), Sign("←"), Words(arrow[2]))), ""
     return _called(_PLACE.sub("", key).rpartition(".")[2].replace("_", " ")), title
 
 

@@ -87,10 +87,16 @@ def write(report: Report, options: OutputOptions) -> str:
     >>> print(write(answer, OutputOptions(Format.CSV)).splitlines()[-1])
     value,,,2.0
     """
+    told, how = as_told(report, options)
+    return _writer(options.format)(told, how)
+
+
+def as_told(report: Report, options: OutputOptions) -> tuple[Report, OutputOptions]:
+    """Settle how the numbers of a report are written, and spell the names in its sentences."""
     how = replace(options, numbers=options.numbers or report.numbers)
     of_floats = report.numbers is Numbers.DECIMAL is not how.numbers
     told = report.in_floats() if of_floats else report
-    return _writer(options.format)(told.spelled(str), how)
+    return told.spelled(str), how
 
 
 def _writer(chosen: Format) -> Writer:  # noqa: C901, PLR0912  # one branch for each format

@@ -20,7 +20,7 @@ from nmatrix.linear.values import listed, named, read_fields, refuse_beside, vec
 from nmatrix.linear.view import first_person, look_at
 from nmatrix.reading.angles import float_turn
 from nmatrix.reading.arrays import read_affine
-from nmatrix.report import Number, Vector
+from nmatrix.report import Displayed, Number, Quantity, Report, Vector
 from nmatrix.scene.measured_view import Extrinsics, MeasuredView, measured_view
 
 _POLIMI = (
@@ -43,7 +43,7 @@ class PlacedCamera:
 
 
 @dataclass(frozen=True)
-class FirstPerson:
+class FirstPerson(Displayed):
     """Where to look by angles, in degrees: up, sideways, and about the view direction."""
 
     elevation: float = 0.0
@@ -53,9 +53,14 @@ class FirstPerson:
     def __post_init__(self) -> None:
         read_fields(self, elevation=float_turn, angle=float_turn, roll=float_turn)
 
+    def _repr_report_(self) -> Report:
+        """Tell the three angles."""
+        angles = vars(self).items()
+        return Report.of_value(*(Quantity(name, value, name, "°") for name, value in angles))
+
 
 @dataclass(frozen=True)
-class View:
+class View(Displayed):
     """A camera in world units; `angles`, `matrix` or `measured` take the place of the target."""
 
     eye: Vector = (0, 0, 5)
@@ -98,6 +103,14 @@ class View:
                 "down +z",
                 f"leave out {quantity('handed')} left, and {quantity('api')} direct3d",
             )
+
+    def _repr_report_(self) -> Report:
+        """Tell the view matrix and the eye."""
+        placed = self.placed()
+        return Report.of_value(
+            Quantity("camera_from_world", placed.camera_from_world, "camera ← world"),
+            Quantity("eye", placed.eye, "eye in world space"),
+        )
 
     @property
     def is_aimed(self) -> bool:

@@ -48,6 +48,7 @@ from nmatrix.linear.values import named, read_fields, real, refuse_beside, refus
 from nmatrix.linear.viewport import Viewport, read_viewport
 from nmatrix.reading.angles import float_turn, turns
 from nmatrix.reading.arrays import read_projection
+from nmatrix.report import Displayed, Quantity, Report
 
 if TYPE_CHECKING:
     from nmatrix.linear.lens_readings import LensReading
@@ -68,7 +69,7 @@ TWO_SHAPES = "both shape the view"
 
 
 @dataclass(frozen=True)
-class Lens:
+class Lens(Displayed):
     """A lens; the field of view is vertical and in degrees, distances in world units.
 
     `measured` takes the place of the field of view; `aspect` is None where nobody said it, and
@@ -193,6 +194,11 @@ class Lens:
             f"its entries say {are}",
             "leave it out, or give another matrix",
         )
+
+    def _repr_report_(self) -> Report:
+        """Tell the projection matrix."""
+        P = self.clip_from_camera
+        return Report.of_value(Quantity("clip_from_camera", P, "clip ← camera"))
 
     @property
     def exact(self) -> RationalMatrix:

@@ -19,7 +19,7 @@ from nmatrix.linear.rational import (
 from nmatrix.linear.values import named, number, read_fields, refuse_beside, vector
 from nmatrix.reading.angles import turns
 from nmatrix.reading.arrays import read_affine
-from nmatrix.report import Vector
+from nmatrix.report import Displayed, Quantity, Report, Vector
 from nmatrix.scene.camera import PlacedCamera, View
 from nmatrix.scene.lens import Lens
 from nmatrix.scene.light import USUAL_DIRECTION
@@ -29,7 +29,7 @@ from nmatrix.spaces.transform import Transform
 
 
 @dataclass(frozen=True)
-class Light:
+class Light(Displayed):
     """A light: the direction in which it travels, or two angles for it, and a position."""
 
     direction: Vector | None = None
@@ -46,6 +46,15 @@ class Light:
         names = {"angles_degrees": "light_angles", "direction": "light_direction"}
         both = "both are the direction"
         refuse_beside(self, "angles_degrees", ("direction",), both, names=names)
+
+    def _repr_report_(self) -> Report:
+        """Tell the direction in which the light travels and its position, in world space."""
+        placed = self.placed()
+        told = (
+            Quantity("direction", placed.direction, "light direction in world space"),
+            Quantity("position", placed.position, "light position in world space"),
+        )
+        return Report.of_value(*(one for one in told if one.value is not None))
 
     def placed(self) -> WorldLight:
         """Return the light in world space; nothing given means along −1 −1 −1.
@@ -76,7 +85,7 @@ class Light:
 
 
 @dataclass(frozen=True)
-class Setup:
+class Setup(Displayed):
     """Everything that a command can ask about, in one value."""
 
     world: World = field(default_factory=World)
@@ -91,6 +100,12 @@ class Setup:
         if not 0 <= self.tolerance < 1:
             named = f"{quantity('tolerance')} ({self.tolerance})"
             raise IllegalValueError(named, "it lies in [0, 1)", "try 1e-9")
+
+    def _repr_report_(self) -> Report:
+        """Tell the matrices, the eye and the light."""
+        parts = (self.world, self.view, self.lens, self.light)
+        blocks = (block for part in parts for block in part._repr_report_().blocks)
+        return Report.of_value(*blocks)
 
     @cached_property
     def camera(self) -> PlacedCamera:

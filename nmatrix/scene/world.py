@@ -24,7 +24,7 @@ from nmatrix.linear.rounding import integers, nearest, unit
 from nmatrix.linear.values import listed, named, read_fields, refuse_beside, vector
 from nmatrix.reading.angles import turn, turns
 from nmatrix.reading.arrays import read_affine
-from nmatrix.report import Number, Vector
+from nmatrix.report import Displayed, Number, Quantity, Report, Vector
 
 _CONVENTIONS = {
     Convention.POLIMI: (
@@ -46,7 +46,7 @@ _NAMES = {"matrix": "world_matrix", "rotate_degrees": "rotate"}
 
 
 @dataclass(frozen=True)
-class World:
+class World(Displayed):
     """An object's place in the world; angles in degrees, as on the command line.
 
     Parameters
@@ -197,6 +197,11 @@ class World:
             scale=rational_vector(self.scale),
             shear=rational_vector(self.shear),
         )
+
+    def _repr_report_(self) -> Report:
+        """Tell the world matrix."""
+        M = self.world_from_object
+        return Report.of_value(Quantity("world_from_object", M, "world ← object"))
 
     @property
     def remarks(self) -> tuple[str, ...]:

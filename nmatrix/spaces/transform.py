@@ -17,10 +17,11 @@ from nmatrix.linear.rational import RationalMatrix, RationalVector, Rows, to_flo
 from nmatrix.linear.rounding import nearest
 from nmatrix.linear.values import named, read_fields, vector
 from nmatrix.reading.arrays import read_affine
+from nmatrix.report import Displayed, Quantity, Report
 
 
 @dataclass(frozen=True)
-class Transform:
+class Transform(Displayed):
     """An affine map from one frame to another, held exactly.
 
     Parameters
@@ -90,11 +91,9 @@ class Transform:
         """Return the 3×3 block at the exact level."""
         return LinearMap.of(rational.linear_part(self.exact))
 
-    def _repr_latex_(self) -> str:
-        """Show the matrix under its name in a notebook."""
-        rows = r" \\ ".join(" & ".join(map(_latex_number, row)) for row in self.matrix)
-        name = self.name.replace("_", r"\_")
-        return rf"$\mathtt{{{name}}} = \begin{{bmatrix}} {rows} \end{{bmatrix}}$"
+    def _repr_report_(self) -> Report:
+        """Tell where it leads, where it comes from, and its matrix."""
+        return Report.of_value(Quantity(self.name, self.exact, f"{self.to} ← {self.source}"))
 
     def __matmul__(self, other: Transform) -> Transform:
         """Compose two maps, the right one first; the inner frames must be the same."""
@@ -171,8 +170,3 @@ class Transform:
 
 def _exact(values: object, name: str) -> RationalVector:
     return rational.rational_vector(vector(values, name))
-
-
-def _latex_number(value: float) -> str:
-    mantissa, mark, exponent = f"{value:.6g}".partition("e")
-    return rf"{mantissa} \times 10^{{{int(exponent)}}}" if mark else mantissa

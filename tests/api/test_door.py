@@ -64,6 +64,7 @@ CALLS: dict[str, dict[str, Any]] = {
         "translate": (1, 2, 3), "rotate": (0, 0, 1), "scale": (1, 2, 1), "shear": (0, 0, 0),
         "order": "XYZ", "convention": "standard",
     },
+    "show": {"value": IDENTITY, "name": "A"},
     "Setup": {
         "world": {"scale": (1, 2, 1)}, "view": {"eye": (1, 2, 3)}, "lens": {"fov": 60},
         "light": {"light_position": (1, 2, 3)}, "space_matrix": IDENTITY, "tolerance": 1e-9,

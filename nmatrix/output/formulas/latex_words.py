@@ -28,6 +28,7 @@ MATHEMATICS = {
     "≤": r"\le",
     "≥": r"\ge",
     "→": r"\to",
+    "←": r"\leftarrow",
     "⇒": r"\Rightarrow",
     "⇔": r"\Leftrightarrow",
     "✗": r"\times",

@@ -12,9 +12,7 @@ from importlib.resources import files
 from nmatrix.canvas.theme import PALETTES
 from nmatrix.enums import Theme
 from nmatrix.output.documents import Cells, blocks_in
-from nmatrix.output.formulas.mathml import mathml
-from nmatrix.output.formulas.spoken import spoken
-from nmatrix.output.mathml import MathML, prose
+from nmatrix.output.mathml import StyledMathML, prose
 from nmatrix.output.pages.document import (
     ANSWER_HIGH,
     ANSWER_WIDE,
@@ -25,7 +23,7 @@ from nmatrix.output.pages.document import (
     Paper,
 )
 from nmatrix.output.write import OutputOptions
-from nmatrix.report import Blank, Figure, Formula, Task
+from nmatrix.report import Blank, Figure, Task
 
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; font-src data:"
 SIZES = {Paper.A4: "A4", Paper.LETTER: "letter"}
@@ -114,7 +112,7 @@ def inline(svg: bytes) -> str:
     return found
 
 
-class HtmlPage(MathML):
+class HtmlPage(StyledMathML):
     """How a page writes each kind of block."""
 
     def __init__(self, document: Document) -> None:
@@ -127,28 +125,11 @@ class HtmlPage(MathML):
         return f"<p{kind}>{prose(text)}</p>"
 
     def table(self, title: str, columns: Sequence[str], rows: Cells) -> str:
-        """Write a table that scrolls by itself where the screen is narrow.
-
-        A short one stays on its page; the head of a long one is printed on each of its pages.
-        """
-        kind = "wide together" if len(rows) <= SHORT_TABLE else "wide"
+        """Write a table; a short one stays on its page, the head of a long one is on each."""
         table = super().table(title, columns, rows)
-        table = table.replace("<tr>", "<thead><tr>", 1).replace("</tr>", "</tr></thead>", 1)
-        return f'<div class="{kind}">{table}</div>'
-
-    def step(self, formula: Formula, because: str, *, verified: bool) -> str:
-        """Write a step that stays together on a page."""
-        mark = "proved" if verified else "unproved"
-        words = because if verified else f"not proved: {because}"
-        return (
-            f'<div class="step">{self.formula(formula)}<p class="{mark}">{prose(words)}</p></div>'
-        )
-
-    def inline_formula(self, formula: Formula) -> str:
-        """Write a formula among words."""
-        said = escape(spoken(formula.tree))
-        head = '<math xmlns="http://www.w3.org/1998/Math/MathML"'
-        return f'{head} alttext="{said}">{mathml(formula.tree)}</math>'
+        if len(rows) > SHORT_TABLE:
+            return table
+        return table.replace('class="wide"', 'class="wide together"', 1)
 
     def figure(self, figure: Figure) -> str:
         """Write a picture with its alternative text; a drawing follows the page's theme."""
@@ -161,15 +142,6 @@ class HtmlPage(MathML):
         title = f"<b>{prose(figure.title)}.</b> " if figure.title else ""
         caption = title + prose(figure.caption)
         return f"<figure>{image}<figcaption>{caption}</figcaption></figure>"
-
-    def symbols(self, meanings: Sequence[tuple[str, str]]) -> str:
-        """Write letters and their words in two columns, one on a phone."""
-        entries = "".join(f"<div><dt>{a}</dt><dd>{b}</dd></div>" for a, b in meanings)
-        return f'<dl class="symbols">{entries}</dl>'
-
-    def framed(self, body: str) -> str:
-        """Put a bar beside some blocks, and a tint behind them."""
-        return f'<div class="framed">\n{body}\n</div>'
 
     def blank(self, blank: Blank) -> str:
         """Leave dotted room to work, and lines for the answer."""
