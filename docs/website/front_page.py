@@ -21,7 +21,7 @@ BEHIND = {
     "command-line": ["commands/index"],
     "architecture": ["cite"],
 }
-NOTEBOOK_BEHIND = "python"
+NOTEBOOK_BEHIND = "notebook"
 SENTENCE = (
     "The matrices of computer graphics (world, view, projection, normals, any shading space), "
     "computed exactly for the numbers that you give, explained step by step, and checked, with the "
