@@ -23,6 +23,8 @@ PYODIDE = "node_modules/pyodide"
 
 def build(target: Path, pyodide: Path | None) -> int:
     """Build the site into a folder; give Sphinx's exit code."""
+    if pyodide is not None:
+        os.environ["NMATRIX_PYODIDE"] = str(pyodide.resolve())  # for the examples of web
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         lay(folder / "docs", has_web=pyodide is not None)

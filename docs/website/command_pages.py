@@ -73,7 +73,7 @@ def _examples(name: str, examples: tuple[str, ...]) -> list[str]:
 
 def _option(one: TyperOption) -> str:
     typed, told = pages.as_typed(one), plain(pages.description_of(one))
-    return f"````{{option}} {typed}\n:no-index-entry:\n\n{told}\n````\n"
+    return f"````{{option}} {typed}\n{told}\n````\n"
 
 
 def _related(name: str, entry: CatalogueEntry) -> list[str]:

@@ -2,6 +2,13 @@
 
 from __future__ import annotations
 
+from docutils import nodes
+from docutils.utils.math.latex2mathml import tex2mathml
+from sphinx.addnodes import index
+from sphinx.application import Sphinx
+from sphinx.transforms import SphinxTransform
+from sphinx.writers.html5 import HTML5Translator
+
 from nmatrix.version import __version__
 
 project = "nmatrix"
@@ -26,6 +33,7 @@ copybutton_prompt_text = "$ "
 copybutton_only_copy_prompt_lines = True
 copybutton_remove_prompts = True
 
+html_math_renderer = "mathml"
 html_theme = "furo"
 html_title = "nmatrix"
 html_static_path = ["static"]
@@ -50,3 +58,33 @@ html_theme_options = {
         "color-brand-visited": "#C79BF2",
     },
 }
+
+
+def formula(writer: HTML5Translator, node: nodes.math) -> None:
+    """Write a formula as MathML, which browsers show by themselves."""
+    writer.body.append(tex2mathml(node.astext()))
+    raise nodes.SkipNode
+
+
+def formula_block(writer: HTML5Translator, node: nodes.math_block) -> None:
+    """Write a formula on lines of its own."""
+    writer.body.append(f"<div class='math'>{tex2mathml(node.astext(), as_block=True)}</div>")
+    raise nodes.SkipNode
+
+
+class SymptomsAlone(SphinxTransform):
+    """Takes the options of commands out of the index, which is of what people see and type."""
+
+    default_priority = 800  # before Sphinx collects the index
+
+    def apply(self, **_: object) -> None:
+        """Take them out of one page."""
+        for node in list(self.document.findall(index)):
+            if all("command line option" in entry[1] for entry in node["entries"]):
+                node.parent.remove(node)
+
+
+def setup(app: Sphinx) -> None:
+    """Tell Sphinx of these."""
+    app.add_html_math_renderer("mathml", (formula, None), (formula_block, None))
+    app.add_transform(SymptomsAlone)

@@ -21,7 +21,7 @@ BEHIND = {
     "command-line": ["commands/index"],
     "architecture": ["cite"],
 }
-NOTEBOOK_BEHIND = "python"
+NOTEBOOK_BEHIND = "notebook"
 SENTENCE = (
     "The matrices of computer graphics (world, view, projection, normals, any shading space), "
     "computed exactly for the numbers that you give, explained step by step, and checked, with the "
@@ -32,8 +32,8 @@ INSTALL = (
     f"python3 -m venv .venv && .venv/bin/pip install -q -c constraints.txt . && .venv/bin/{COMMAND}"
 )
 PICTURE = (
-    "A circle that becomes an ellipse, an egg with leaning normals and one with upright ones, and a "
-    "map of the angle between, up to 36.9 degrees"
+    "A circle that becomes an ellipse, an egg with leaning normals and one with upright ones, "
+    "and a map of the angle between, up to 36.9 degrees"
 )
 TRY = """\
 <p class="try"><a href="try/index.html">Try it here, in your browser</a> The calculator, “what is

@@ -42,7 +42,7 @@ def indexed(phrases: Iterable[str]) -> str:
 
 
 def description_of(text: str) -> str:
-    """Take the title and the first paragraph of a page for its description, without orders.
+    r"""Take the title and the first paragraph of a page for its description, without orders.
 
     Examples
     --------

@@ -91,7 +91,6 @@ def rule_page(rule: RuleId, text: str) -> str:
     title, _, rest = NAMED.sub(r"the mistake [`\1`](../mistakes/\1.md)", text).partition("\n")
     summary = f"{rule.value}: {told.sentence} {told.advice}"
     also = "\n".join(f"* {plain(one)}" for one in words)
-    return "\n".join(
-        [head(summary, [rule.value, *words]), title, "", indexed([rule.value, told.name, *words])]
-        + [rest.rstrip(), "", "## Also searched as\n", also, ""]
-    )
+    lines = [head(summary, [rule.value, *words]), title, ""]
+    lines += [indexed([rule.value, told.name, *words]), rest.rstrip(), ""]
+    return "\n".join([*lines, "## Also searched as\n", also, ""])

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
 from typing import Any
 
 from markdown import description_of, head
+
+FORMULA = re.compile(r"(\$\$?)([^$]+)\1")
 
 
 def as_markdown(notebook: str) -> str:
@@ -19,11 +22,17 @@ def as_markdown(notebook: str) -> str:
 def _cell(cell: dict[str, Any]) -> Iterator[str]:
     source = "".join(cell["source"])
     if cell["cell_type"] == "markdown":
-        yield f"{source}\n"
+        yield FORMULA.sub(_formula, source) + "\n"
         return
     yield f"```python\n{source}\n```\n"
     for one in cell.get("outputs", ()):
         yield _shown(one.get("data", {"text/plain": one.get("text", "")}))
+
+
+def _formula(found: re.Match[str]) -> str:
+    if found[1] == "$":
+        return f"{{math}}`{found[2]}`"
+    return f"\n```{{math}}\n{found[2].strip()}\n```\n"
 
 
 def _shown(data: dict[str, Any]) -> str:

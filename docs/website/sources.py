@@ -25,6 +25,7 @@ INDEX, SITE_INDEX = "README.md", "index.md"
 # What leads out of the documents, and pages to be seen instead of downloaded.
 ROOT_README = re.compile(r"\]\(\.\./README\.md\)")
 README = re.compile(r"(?<=[(/])README\.md\b")
+NOTEBOOK = re.compile(r"(?<=\w)\.ipynb\)")
 SAMPLE = re.compile(r"\[([^\]]*)\]\((samples/[\w-]+\.html)\)")
 CLASS = re.compile(r"^(?=### ([A-Z]\w+)$)", re.MULTILINE)
 PROOF = re.compile(r"^(?=## .*\n\n!\[[^\]]*\]\(pictures/([\w-]+)\.png\))", re.MULTILINE)
@@ -59,6 +60,7 @@ def document(name: str, text: str) -> str:
     """Make a page of the site of a document."""
     text = ROOT_README.sub("](/index.md)", text)
     text = README.sub(SITE_INDEX, text)
+    text = NOTEBOOK.sub(".md)", text)
     text = SAMPLE.sub(r'<a href="\2">\1</a>', text)
     if name == "mistakes.md":
         text = mistake_pages.listed(text)

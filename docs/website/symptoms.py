@@ -1,4 +1,4 @@
-"""What people see and type into a search engine, for each mistake of `check` and each rule of `lint`.
+"""What people see and type into a search engine, for each mistake and each rule of `lint`.
 
 The words of the tables themselves (what was done, which rule it broke) stay where they are; here
 stand the symptom, other words for it, numbers that show it, its cure and its picture.
@@ -602,7 +602,7 @@ RULES: dict[RuleId, tuple[str, ...]] = {
     ),
     RuleId.NORMAL_WITH_W: (
         "vec4(aNormal, 1.0) in vertex shader",
-        "normal w component 0 or 1 in shader",
+        "normal w component 0 or 1",
     ),
     RuleId.TANGENT_BY_NORMAL_MATRIX: (
         "tangent transform normal matrix",

@@ -1,4 +1,4 @@
-"""What the site is made of: each mistake and rule has its words, its numbers and a cure that holds."""
+"""What the site is made of: words, numbers and cures of each mistake, words of each rule."""
 
 from __future__ import annotations
 
