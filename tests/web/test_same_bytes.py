@@ -11,7 +11,7 @@ from itertools import islice
 from pathlib import Path
 
 import pytest
-from web.command_lines import command_lines
+from command_lines import command_lines
 
 from nmatrix.lessons.exercises.exercise import LETTERS, Choice, ExerciseKind
 from nmatrix.lessons.exercises.scheme import Sheet

@@ -13,7 +13,7 @@ from nmatrix.cli.command import examples_and_notes
 from nmatrix.enums import Format, Space
 from nmatrix.lessons.check.mistakes import MISTAKES
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[1]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 IN_A_SHELL = re.compile(r"[|<>;&$*~\\]|<\(")  # what only a shell does
 MEASURES = ("cost", "stress", "render", "web", "explore")  # times, files of other places, long work
