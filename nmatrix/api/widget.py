@@ -9,7 +9,7 @@ from math import isfinite
 from typing import Any
 
 from nmatrix.api.setup import Part, Setup, world_part
-from nmatrix.errors import IllegalValueError, MissingPackageError
+from nmatrix.errors import IllegalValueError
 from nmatrix.output.explorer.page import module, page_data
 from nmatrix.output.explorer.sliders import (
     LARGEST,
@@ -19,6 +19,7 @@ from nmatrix.output.explorer.sliders import (
     sliders_of,
     world_of,
 )
+from nmatrix.requirements import missing
 from nmatrix.scene import setup
 from nmatrix.scene.world import World
 
@@ -26,11 +27,7 @@ try:
     from anywidget import AnyWidget
     from traitlets import Dict, validate
 except ImportError:
-    raise MissingPackageError(
-        "the explorer in a notebook",
-        "the package anywidget, which shows it, is not installed",
-        "pip install 'anywidget>=0.9'",
-    ) from None
+    raise missing("the explorer in a notebook", "anywidget") from None
 
 
 class Explorer(AnyWidget):

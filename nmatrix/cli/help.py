@@ -148,15 +148,13 @@ def exit_codes() -> dict[int, str]:
     >>> exit_codes()[0], exit_codes()[130]
     ('Done.', 'Interrupted.')
     """
-    from nmatrix import errors
     from nmatrix.cli.app import DEFECT, INTERRUPTED
+    from nmatrix.errors import NMatrixError
 
-    kinds = [one for one in vars(errors).values() if isinstance(one, type)]
-    refused = {
-        one.exit_code: (one.__doc__ or "").partition("\n")[0]
-        for one in kinds
-        if errors.NMatrixError in one.__bases__
-    }
+    kinds = [
+        one for one in NMatrixError.__subclasses__() if one.__module__ == NMatrixError.__module__
+    ]
+    refused = {one.exit_code: (one.__doc__ or "").partition("\n")[0] for one in kinds}
     return {0: "Done.", **refused, DEFECT: "A defect of nmatrix.", INTERRUPTED: "Interrupted."}
 
 
