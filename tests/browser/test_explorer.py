@@ -430,6 +430,8 @@ SENTENCES = {
     "sy=1&space=custom": "custom space stretches on its own",
     "sy=1&rule=stuck": "arrives where it was, so this test proves nothing",
     "sy=1&rz=40&rule=stuck": "the light was carried along as if it belonged to the model",
+    "tx=0.5&sy=1": "Moved 0.5 along x: lengths and angles stay",
+    "sy=1&ry=20&rule=stuck": "so the same part of it stays lit wherever it is put",
     "hxy=1&sy=1": "x slides 1 for each unit of y",
     "sx=999999&sy=0.05&rx=30&rz=90&hxy=0.05&space=light&rule=cofactor": "is positive, so cofactors",
     "mx=1&sx=999999&sy=0.05&rx=30&rz=90&hxy=0.05&space=light&rule=cofactor": "body, 180° off",
@@ -448,6 +450,45 @@ def test_the_sentence_is_true_and_holds_the_number(calm, words) -> None:
         degrees_said = calm.locator("#number").text_content()
         assert degrees_said in said
         assert float(degrees_said[:-1]) == pytest.approx(numbers["largest"], abs=0.05)
+
+
+BEYOND = {
+    "--scale 1e150 --rotate 0 0 20": ("det A = 1e+450", "differ in length alone"),
+    "--scale 1e-150 -1e-150 1e-150 --rotate 10 0 0": ("det A = −1e−450", "mirrored along y"),
+    "--scale 1e150 1e-150 1e-150": ("1e−150", "Stretched 1e+150× along x"),
+    "--scale 1e-310 1 1": ("1e+310", "Squeezed to 1e−310× along x"),
+}
+
+
+@pytest.mark.parametrize("options", BEYOND)
+def test_sizes_beyond_the_floats_are_told_and_never_nan(opened, tmp_path, options) -> None:
+    path = tmp_path / "page.html"
+    assert run(["explore", *options.split(), "-o", str(path)]) == 0
+    found = opened(path)
+    for rule in ("none", "cofactor", "not-transposed", "not-inverted", "stuck"):
+        told(found, f"rule={rule}")
+        text = found.locator("main").inner_text()
+        for nonsense in ("NaN", "Infinity", "undefined", "null"):
+            assert nonsense not in text, rule
+        assert found.locator("#number").text_content() != "—"
+    told(found, "")
+    in_matrices, in_sentence = BEYOND[options]
+    assert in_matrices in found.locator("#matrices").inner_text()
+    assert in_sentence in found.locator("#sentence").text_content()
+    assert found.complaints == []
+
+
+def test_the_light_that_is_stuck_lights_the_same_part_wherever_it_is_put(calm) -> None:
+    """(A⁻ᵀ n) · (A l) = n · l: both sides have one sign at every vertex of the body."""
+    script = inside(
+        """() => { const { right, stuckLight, light, mesh } = meaningNow();
+        const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+        return mesh.directions.map(n => [dot(apply(right, n), stuckLight), dot(n, light)]); }"""
+    )
+    for one in drawn_states(8):
+        told(calm, f"{written(one)}&rule=stuck")
+        for carried, before in calm.evaluate(script):
+            assert carried * before >= -1e-12 * max(abs(carried), abs(before))
 
 
 def test_numbers_work_without_webgl(browser, file) -> None:

@@ -44,9 +44,10 @@ function cameraOf(s, reach) {
   const half = Math.atan(1 / Math.max(Math.abs(data.clip_from_camera[0][0]), Math.abs(data.clip_from_camera[1][1])));
   const needed = isPerspective ? (ROOM * reach) / Math.sin(half) : 0, given = length(away);
   const far = data.fits && isPerspective ? needed : Math.max(given, needed);
-  // What is not moved keeps the eye's own numbers; else four decimals, which the command repeats.
+  // What is not moved keeps the eye's own numbers; else decimals, which the command repeats.
   const isMoved = s.yaw || s.tilt || far !== given;
-  const eye = isMoved ? plus(data.target, turned, far / given).map((x) => rounded(x, 4)) : data.eye;
+  const decimals = Math.min(100, Math.max(4, 4 - Math.floor(Math.log10(far))));
+  const eye = isMoved ? plus(data.target, turned, far / given).map((x) => rounded(x, decimals)) : data.eye;
   return { camera: lookingAlong(eye, wholeDifference(data.target, eye), data.up), eye };
 }
 
@@ -85,8 +86,8 @@ const minus2 = (A, B) => A.map((row, i) => minus(row, B[i]));
 // By how much the mistake is off, as one number: degrees between normals, or between lights.
 function errorOf(s, found) {
   if (s.rule === STUCK) {
-    const from = data.has_direction ? [found.light, found.stuckLight] : [minus(found.lamp, placeOf(s)), minus(found.stuckLamp, placeOf(s))];
-    if (!from.every((v) => length(v) > 1e-12)) return { largest: null, isSame: false };
+    const own = data.has_direction ? found.light : found.lamp, carried = apply(found.A, own), from = [data.has_direction ? own : minus(own, placeOf(s)), carried];
+    if (!length(from[0]) || !(length(carried) > 1e-12 * norm(found.A) * length(own))) return { largest: null, isSame: false };
     const largest = angleBetween(unit(from[0]), unit(from[1]), false);
     return { largest: largest < 1e-9 ? 0 : largest, isSame: largest < 1e-9 && !(found.lamp && length(minus(found.stuckLamp, found.lamp)) > 1e-9) };
   }

@@ -1,14 +1,14 @@
 // The one sentence: what was done to the shape, what that does to tangents and normals, and what
 // the mistake makes of it. Every clause follows from the map's numbers, never from a preset's name.
 const formula = (kind, text) => `<b class="${kind}">${text}</b>`;
-const figure = (x, digits = 5) => (Object.is(x, -0) ? 0 : x).toPrecision(digits).replace(/(\.\d*?)0+(e|$)/, "$1$2").replace(/\.(e|$)/, "$1").replace("-", "−");
+const figure = (x, digits = 5) => (Object.is(x, -0) ? 0 : x).toPrecision(digits).replace(/(\.\d*?)0+(e|$)/, "$1$2").replace(/\.(e|$)/, "$1").replace(/-/g, "−");
 // An exact value in a few digits, also where no float is as large or as small.
 function figureOf(x, digits = 5) {
   const near = x.nearest;
   if (x.isZero || (Number.isFinite(near) && near !== 0)) return figure(near, digits);
   let ten = Math.floor((bitsOf(x.top < 0n ? -x.top : x.top) - bitsOf(x.bottom)) * Math.log10(2));
   const over = (power) => (power < 0 ? x.times(new Fraction(10n ** BigInt(-power))) : x.over(new Fraction(10n ** BigInt(power)))).nearest;
-  while (Math.abs(over(ten)) >= 10) ten += 1;
+  while (Number(Math.abs(over(ten)).toPrecision(digits)) >= 10) ten += 1;
   while (Math.abs(over(ten)) < 1) ten -= 1;
   return `${figure(over(ten), digits)}e${ten < 0 ? "−" : "+"}${Math.abs(ten)}`;
 }
@@ -105,6 +105,7 @@ function stuckSentence(done, found, off) {
   const kept = found.isFlat ? "" : ", so the same part of it stays lit wherever it is put";
   const carried = `${done}, and the light was carried along as if it belonged to the model${kept}`;
   if (!found.lamp && !found.light.some((x) => x)) return `${done}. The light has no direction here, so none can be carried along.`;
+  if (off === "" && found.lamp) return `${carried}: from the model's origin one of the two lamps has no direction. A light of the world stays where it is.`;
   if (off === "") return `${carried}: A flattens its direction to nothing. In the world it stays where it is.`;
   if (found.isSame) return `${done}: the light that is carried along arrives where it was, so this test proves nothing.`;
   const where = data.has_direction ? `its direction is ${off} off` : found.largest === 0 ? "it is at another distance" : `it is ${off} off, seen from the model`;

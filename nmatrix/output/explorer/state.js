@@ -60,7 +60,7 @@ function changed(input) {
 // --- Colours -------------------------------------------------------------------------------------------------------
 const darkScheme = matchMedia("(prefers-color-scheme: dark)"), onPaper = matchMedia("print"), NARROW = 760;  // pixels, as in the style
 let isPrinting = false;
-const isNarrow = () => element.clientWidth > 0 && element.clientWidth <= NARROW;
+const isNarrow = () => !isPrinting && !onPaper.matches && element.clientWidth > 0 && element.clientWidth <= NARROW;
 // The document around: the page that holds this one in a frame, where it lets itself be seen; else its own, which may be a notebook.
 function documentAround() { try { return parent.document; } catch { return document; } }
 const around = documentAround(), SCHEMES = ["light", "dark"];
