@@ -24,13 +24,14 @@ from nmatrix.calculator.names import EVERY_NAME, names_of
 from nmatrix.calculator.sessions.offers import offers
 from nmatrix.calculator.sessions.session import NoFiles, Session, Settings
 from nmatrix.enums import Format
-from nmatrix.errors import IllegalValueError, NMatrixError, defect, printable
+from nmatrix.errors import IllegalValueError, NMatrixError, defect, printable, refusal
 from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import Subject
 from nmatrix.lessons.exercises.exercise import LETTERS, Choice, ExerciseKind
 from nmatrix.lessons.exercises.scheme import SCHEME, Sheet
 from nmatrix.lessons.exercises.sheet import MOST, exercise
+from nmatrix.linear.values import whole
 from nmatrix.output.mathml import prose
 from nmatrix.output.transcript import Turn, echo, text_of, turn
 from nmatrix.output.write import OutputOptions, write
@@ -115,10 +116,10 @@ class Desk:
 
     def answer(self, name: str, asked: Mapping[str, Any]) -> Answer:
         """Answer a question by its name; what cannot be answered is a sentence under `error`."""
-        question = {one.__name__: one for one in self._questions()}[name]
         try:
             _refuse_long(asked)
-            return question(**asked)
+            asked = _well_formed(asked)
+            return {one.__name__: one for one in self._questions()}[name](**asked)
         except NMatrixError as error:
             return {"error": str(error), "code": error.exit_code}
         except Exception as error:  # the page goes on
@@ -180,7 +181,7 @@ class Desk:
         ):
             for name, text in given.items():
                 if name != STANDARD_INPUT:
-                    _inside(name).write_text(text, encoding="utf-8", newline="")
+                    _lay(name, text)
             code = self._shell.run(words)
             sys.stdout.flush()
             sys.stderr.flush()
@@ -274,7 +275,7 @@ class Desk:
 
     def exercise(self, number: int, seed: str = "1", student: str = "") -> Answer:
         """Ask an exercise of a student's sheet: the task, and what an answer is made of."""
-        one = exercise(number, Sheet(seed, student))
+        one = exercise(whole(number, "exercise"), Sheet(seed, student))
         choices = one.grader.options if isinstance(one.grader, Choice) else ()
         rows, columns = one.cells
         return {
@@ -294,7 +295,7 @@ class Desk:
 
     def key(self, number: int, seed: str = "1", student: str = "") -> Answer:
         """Tell the worked solution of an exercise, and an answer that is right."""
-        one = exercise(number, Sheet(seed, student))
+        one = exercise(whole(number, "exercise"), Sheet(seed, student))
         return {"html": _blocks(one.key), "right": one.right}
 
     def grade(
@@ -303,7 +304,7 @@ class Desk:
         """Grade an answer as `check exercise` does: a text, or the cells of its rows."""
         text = answer if isinstance(answer, str) else _in_rows(answer)
         whose = [f"--seed={seed}", *([f"--student={student}"] if student else [])]
-        words = ["check", "exercise", str(number), *whose, "--", text]
+        words = ["check", "exercise", str(whole(number, "exercise")), *whose, "--", text]
         told, reports = self._told(words, {})
         if not reports:
             raise IllegalValueError(told["err"].removeprefix("error: ").rstrip())
@@ -407,6 +408,15 @@ def _length(value: object) -> int:
     return sum(map(_length, value)) if isinstance(value, Sequence) else 0
 
 
+def _well_formed(value: Any) -> Any:  # noqa: ANN401  # whatever JSON holds
+    """Put a sign in the place of half a character, which a browser's text may hold."""
+    if isinstance(value, str):
+        return value.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
+    if isinstance(value, Mapping):
+        return {_well_formed(key): _well_formed(one) for key, one in value.items()}
+    return [*map(_well_formed, value)] if isinstance(value, Sequence) else value
+
+
 def _split(words: str | Sequence[str]) -> list[str]:
     """Part a line as a shell does."""
     if not isinstance(words, str):
@@ -448,12 +458,15 @@ def _written(folder: Path) -> Iterator[Answer]:
             yield {"name": str(path), "text": None, "base64": b64encode(content).decode()}
 
 
-def _inside(name: str) -> Path:
-    """Name a file of the folder in which a command runs."""
-    path = Path(name)
+def _lay(name: str, text: str) -> None:
+    """Lay a file into the folder in which a command runs."""
+    path, told = Path(name), f"file ({printable(name)})"
     if len(path.parts) != 1 or path.name in ("", ".", "..") or not name.isprintable():
-        raise IllegalValueError(f"file ({printable(name)})", "it is no name", "give it a name")
-    return path
+        raise IllegalValueError(told, "it is no name", "give it a name")
+    try:
+        path.write_text(text, encoding="utf-8", newline="")
+    except OSError as error:
+        raise IllegalValueError(told, refusal(error), "give it another name") from None
 
 
 def _in_rows(cells: Sequence[Sequence[str]]) -> str:

@@ -61,10 +61,36 @@ def test_files_that_a_command_wrote_are_given_back(desk) -> None:
     )
 
 
-@pytest.mark.parametrize("name", ["../up", "/etc/x", "a/b", "..", "", "a\nb"])
+def test_half_a_character_is_no_defect(desk) -> None:
+    half = "\ud800"
+    for name, how in (
+        ("exercise", {"number": 1, "seed": half, "student": half}),
+        ("grade", {"number": 3, "seed": half, "answer": "a"}),
+        ("command", {"words": f"calc '{half}'"}),
+        ("shown", {"words": ["calc", "a"], "files": {"b": half, "-": half}}),
+        ("say", {"text": f"# {half}\nsave {half}", "whole": True}),
+    ):
+        assert "defect" not in json.dumps(asked(desk, name, **how)), name
+
+
+@pytest.mark.parametrize("number", [0, -1, 101, 10**30, 1.5, "3", None])
+@pytest.mark.parametrize("name", ["exercise", "key", "grade"])
+def test_an_exercise_that_no_sheet_has_is_refused(desk, name: str, number: object) -> None:
+    answer = {"answer": "a"} if name == "grade" else {}
+    told = asked(desk, name, number=number, **answer)
+    assert (told["code"], told["error"].startswith("exercise")) == (2, True)
+
+
+def test_a_question_that_there_is_not_ends_nothing(desk) -> None:
+    assert asked(desk, "nonsense")["code"] == 70
+    assert asked(desk, "say", txt="a")["code"] == 70
+    assert asked(desk, "say", text="2")["turns"][0]["text"] == "ans  2\n"
+
+
+@pytest.mark.parametrize("name", ["../up", "/etc/x", "a/b", "..", "", "a\nb", "n" * 300])
 def test_a_file_lies_in_the_folder_of_its_line(desk, name: str) -> None:
     told = asked(desk, "command", words="world", files={name: "x"})
-    assert (told["code"], "it is no name" in told["error"]) == (2, True)
+    assert (told["code"], "name" in told["error"].partition(": ")[2]) == (2, True)
 
 
 def test_an_answer_for_eyes_has_formulas_and_the_line_that_gives_it(desk) -> None:

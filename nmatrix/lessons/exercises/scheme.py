@@ -31,7 +31,13 @@ class Sheet:
     def parts(self) -> tuple[bytes, ...]:
         """The parts that are hashed; names that look alike in Unicode are alike."""
         name = normalize("NFC", " ".join(self.student.split()))
-        return (SCHEME.encode(), self.salt, self.seed.strip().encode(), name.encode())
+        seed, whose = (_bytes(one) for one in (self.seed.strip(), name))
+        return (SCHEME.encode(), self.salt, seed, whose)
+
+
+def _bytes(text: str) -> bytes:
+    """Encode a text; a shell passes on what is none, a byte of it as half a character."""
+    return text.encode("utf-8", "surrogatepass")
 
 
 class Draws:
