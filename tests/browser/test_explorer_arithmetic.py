@@ -279,6 +279,31 @@ def test_cofactors_determinants_and_inverses_are_rounded_once(told) -> None:
             assert numbers["inverse"][:3] == rounded_all(whole), one
 
 
+HALFWAY = [
+    (2**53 + 1, 1),
+    (2**53 + 3, 1),
+    (-(2**54) - 2, 2),
+    (3, 2**1075),
+    (1, 2**1075),
+    (5, 2**1075),
+    (2**1024 - 2**970, 1),
+    (2**1024 - 2**970 - 1, 1),
+    (1, 3),
+    (10**400, 10**401 + 7),
+    (-(2**60) - 129, 2**1100),
+    (0, 7),
+]
+
+
+def test_a_fraction_halfway_between_two_floats_goes_to_the_even_one(mounted) -> None:
+    script = inside(
+        "all => all.map(([a, b]) => nearest(BigInt(a), BigInt(b)))",
+        "document.getElementById('perspective').explorer",
+    )
+    found = floats(mounted.evaluate(script, [[str(a), str(b)] for a, b in HALFWAY]))
+    assert found == [rounded(Fraction(a, b)) for a, b in HALFWAY]
+
+
 def test_every_rule_makes_the_packages_normal_matrix(told) -> None:
     for one, numbers in pairs(told):
         exact = exactly(one, numbers)
