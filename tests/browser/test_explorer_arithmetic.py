@@ -36,6 +36,8 @@ from nmatrix.scene.setup import Light, Setup
 from nmatrix.scene.world import World
 from nmatrix.spaces.transform import Transform
 
+pytestmark = pytest.mark.slow  # a browser draws by software
+
 U = Fraction(1, 2**53)
 TINY = Fraction(1, 2**1060)  # below it floats have fewer digits
 AXES, SHEARS = "xyz", ("xy", "xz", "yz")
@@ -101,8 +103,9 @@ ASK = """states => states.map((given, i) => {
   const text = (A) => A && A.map((row) => row.map((x) => `${x.top}/${x.bottom}`));
   return {
     turns: AXES.map((axis) => turn(s[`r${axis}`])),
-    M: found.M, C: found.C, det: found.det, N: found.N, right: found.right, rank: found.rank,
-    sign: found.sign, camera: found.camera, eye: found.eye, light: found.light, lamp: found.lamp,
+    back: inverse3(linear(found.M)), M: found.M, C: found.C, det: found.det, N: found.N,
+    right: found.right, rank: found.rank, sign: found.sign,
+    camera: found.camera, eye: found.eye, light: found.light, lamp: found.lamp,
     inverse: found.isFlat ? null : inverse4(found.M, found.whole), largest: found.largest,
     clip_from_world: found.clip_from_world,
     rules: Object.fromEntries(RULES.map((r) => [r, ruleMatrix(r, found.whole, found.isFlat)])),
@@ -277,6 +280,38 @@ def test_cofactors_determinants_and_inverses_are_rounded_once(told) -> None:
             moved = apply(back, [-Fraction(x) for x in parts_of(one)["translate"]])
             whole = [[*row, x] for row, x in zip(back, moved, strict=True)]
             assert numbers["inverse"][:3] == rounded_all(whole), one
+
+
+HALFWAY = [
+    (2**53 + 1, 1),
+    (2**53 + 3, 1),
+    (-(2**54) - 2, 2),
+    (3, 2**1075),
+    (1, 2**1075),
+    (5, 2**1075),
+    (2**1024 - 2**970, 1),
+    (2**1024 - 2**970 - 1, 1),
+    (1, 3),
+    (10**400, 10**401 + 7),
+    (-(2**60) - 129, 2**1100),
+    (0, 7),
+]
+
+
+def test_a_fraction_halfway_between_two_floats_goes_to_the_even_one(mounted) -> None:
+    script = inside(
+        "all => all.map(([a, b]) => nearest(BigInt(a), BigInt(b)))",
+        "document.getElementById('perspective').explorer",
+    )
+    found = floats(mounted.evaluate(script, [[str(a), str(b)] for a, b in HALFWAY]))
+    assert found == [rounded(Fraction(a, b)) for a, b in HALFWAY]
+
+
+def test_the_inverse_of_floats_is_rounded_once(told) -> None:
+    for one, numbers in pairs(told):
+        A = LinearMap.of([row[:3] for row in numbers["M"][:3]])
+        if A.rank == 3:
+            assert numbers["back"] == rounded_all(transpose(A.inverse_transpose)), one
 
 
 def test_every_rule_makes_the_packages_normal_matrix(told) -> None:

@@ -8,8 +8,9 @@ function figureOf(x, digits = 5) {
   if (x.isZero || (Number.isFinite(near) && near !== 0)) return figure(near, digits);
   let ten = Math.floor((bitsOf(x.top < 0n ? -x.top : x.top) - bitsOf(x.bottom)) * Math.log10(2));
   const over = (power) => (power < 0 ? x.times(new Fraction(10n ** BigInt(-power))) : x.over(new Fraction(10n ** BigInt(power)))).nearest;
-  while (Number(Math.abs(over(ten)).toPrecision(digits)) >= 10) ten += 1;
-  while (Math.abs(over(ten)) < 1) ten -= 1;
+  const shown = () => Math.abs(Number(over(ten).toPrecision(digits)));
+  while (shown() >= 10) ten += 1;
+  while (shown() < 1) ten -= 1;
   return `${figure(over(ten), digits)}e${ten < 0 ? "−" : "+"}${Math.abs(ten)}`;
 }
 function degreesText(x) {
