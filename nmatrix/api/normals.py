@@ -72,7 +72,7 @@ def normal_matrix(
     its type holds no number small enough for is 0.
 
     A matrix gives the same bits alone as in a batch. With `NMATRIX_COMPILED=1` in the environment,
-    and `nmatrix[fast]` installed, one compiled loop computes them: the same bits, in less time.
+    and the extra `fast` installed, one compiled loop computes them: the same bits, in less time.
 
     Parameters
     ----------

@@ -56,8 +56,8 @@ def start(setup: Setup) -> Sliders:
     Examples
     --------
     >>> found = start(Setup(World(scale=(-1, 2, 1))))
-    >>> found["sx"], found["mx"], found["sy"], found["lx"]
-    (1.0, 1, 2.0, -1.0)
+    >>> found["sx"], found["mx"], found["sy"], found["ty"]
+    (1.0, 1, 2.0, 0.0)
     """
     direction = floats(setup.maps.light.direction or DOWNWARDS)
     lamp = floats(setup.maps.light.position or (0, 0, 0))
