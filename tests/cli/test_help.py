@@ -17,7 +17,7 @@ from nmatrix.cli.app import load
 from nmatrix.cli.catalogue import COMMANDS
 from nmatrix.cli.command import examples_and_notes
 from nmatrix.enums import Format, Theme
-from nmatrix.errors import MissingPackageError
+from nmatrix.errors import MissingPackageError, NMatrixError
 from nmatrix.samples import FOLDER, file_or_sample, samples
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -126,6 +126,13 @@ def test_the_documentation_is_where_the_help_says(nmatrix, monkeypatch, tmp_path
     told = "".join(nmatrix("help --docs").out.split())
     assert str(installed.parent) in told
     assert "website" not in told
+
+
+def test_every_error_of_nmatrix_has_its_exit_code_in_the_list() -> None:
+    told = pages.exit_codes()
+    raised = {one.exit_code for one in NMatrixError.__subclasses__()}
+    assert set(told) == {0, 70, 130} | raised
+    assert all(sentence.endswith(".") for sentence in told.values())
 
 
 def test_help_for_what_is_no_command_is_refused(nmatrix) -> None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import doctest
 import json
 import re
+from importlib import import_module
 from pathlib import Path
 
 import cures
@@ -122,6 +124,14 @@ def test_every_proof_stands_in_the_gallery_with_its_claim_picture_words_and_comm
         assert picture is not None, proof.name
         assert picture[2] == proof.name
         assert f"```sh\nnmatrix render {proof.name}\n```" in section
+
+
+@pytest.mark.parametrize("module", ["markdown", "front_page"])
+def test_the_examples_of_the_builder_hold(module: str) -> None:
+    pytest.importorskip("yaml", reason="the extra docs is not installed")
+    found = doctest.testmod(import_module(module))
+    assert found.attempted > 0
+    assert found.failed == 0
 
 
 def test_the_index_of_the_documents_leads_to_each_of_them() -> None:
