@@ -7,16 +7,11 @@ that the command line calls, so that a page can say nothing that a terminal woul
 
 from __future__ import annotations
 
-import io
 import shlex
-import sys
-import tempfile
-from base64 import b64encode
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, chdir, contextmanager
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass, replace
 from importlib.util import find_spec
-from pathlib import Path
 from typing import Any, Protocol
 
 from nmatrix.calculator.language.statements import is_open, statements
@@ -24,7 +19,7 @@ from nmatrix.calculator.names import EVERY_NAME, names_of
 from nmatrix.calculator.sessions.offers import offers
 from nmatrix.calculator.sessions.session import NoFiles, Session, Settings
 from nmatrix.enums import Format
-from nmatrix.errors import IllegalValueError, NMatrixError, defect, printable, refusal
+from nmatrix.errors import IllegalValueError, NMatrixError, defect, printable
 from nmatrix.lessons.check.mistake import MistakeId
 from nmatrix.lessons.check.mistakes import MISTAKES
 from nmatrix.lessons.check.question import Subject
@@ -40,11 +35,11 @@ from nmatrix.requirements import missing
 from nmatrix.scene.setup import Setup
 from nmatrix.spaces.shading_spaces import PROFILES
 from nmatrix.version import __version__
+from nmatrix.web.pipe import run_between_pipes, split_line
 
 Answer = dict[str, Any]  # what JSON holds
 
 LONGEST = 100_000  # characters of a question; no shell takes a longer word than 131 thousand
-STANDARD_INPUT = "-"
 SESSION = "session"
 REMEMBERED = 500  # lines of a session that may be shown again with their steps
 # What a command imports, whatever its options are; others find out on their way.
@@ -157,11 +152,11 @@ class Desk:
         dict
             The exit code, the texts of stdout and stderr, and the files that were written.
         """
-        return self._told(_split(words), files or {})[0]
+        return self._told(split_line(words), files or {})[0]
 
     def shown(self, words: str | Sequence[str], files: Mapping[str, str] | None = None) -> Answer:
         """Run a command line, and show its answer with formulas, as a notebook does."""
-        split = _split(words)
+        split = split_line(words)
         told, reports = self._told(split, files or {})
         return {
             "code": told["code"],
@@ -173,21 +168,9 @@ class Desk:
         }
 
     def _told(self, words: Sequence[str], given: Mapping[str, str]) -> tuple[Answer, list[Report]]:
-        with (
-            tempfile.TemporaryDirectory() as folder,
-            chdir(folder),
-            _piped(given.get(STANDARD_INPUT, "")) as (out, err),
-            self._shell.witnessed() as reports,
-        ):
-            for name, text in given.items():
-                if name != STANDARD_INPUT:
-                    _lay(name, text)
-            code = self._shell.run(words)
-            sys.stdout.flush()
-            sys.stderr.flush()
-            written = [one for one in _written(Path()) if given.get(one["name"]) != one["text"]]
-            told = {"code": code, "out": _text(out), "err": _text(err), "files": written}
-        return told, reports
+        with self._shell.witnessed() as reports:
+            told = run_between_pipes(self._shell.run, words, given)
+        return vars(told), reports
 
     # --- the session of the calculator ---
 
@@ -415,58 +398,6 @@ def _well_formed(value: Any) -> Any:  # noqa: ANN401  # whatever JSON holds
     if isinstance(value, Mapping):
         return {_well_formed(key): _well_formed(one) for key, one in value.items()}
     return [*map(_well_formed, value)] if isinstance(value, Sequence) else value
-
-
-def _split(words: str | Sequence[str]) -> list[str]:
-    """Part a line as a shell does."""
-    if not isinstance(words, str):
-        return list(words)
-    try:
-        found = shlex.split(words.strip())
-    except ValueError:
-        raise IllegalValueError(
-            "command line", "a quotation mark is opened and not closed", "close it"
-        ) from None
-    return found[1:] if found[:1] == ["nmatrix"] else found
-
-
-@contextmanager
-def _piped(given: str) -> Iterator[tuple[io.BytesIO, io.BytesIO]]:
-    """Put pipes in the place of the three standard streams, as a shell does."""
-    out, err = io.BytesIO(), io.BytesIO()
-    before = sys.stdin, sys.stdout, sys.stderr
-    sys.stdin = io.TextIOWrapper(io.BytesIO(given.encode("utf-8", "surrogatepass")), "utf-8")
-    sys.stdout = io.TextIOWrapper(out, "utf-8", newline="\n")
-    sys.stderr = io.TextIOWrapper(err, "utf-8", "backslashreplace", newline="\n")
-    try:
-        yield out, err
-    finally:
-        sys.stdin, sys.stdout, sys.stderr = before
-
-
-def _text(stream: io.BytesIO) -> str:
-    return stream.getvalue().decode("utf-8", "backslashreplace")
-
-
-def _written(folder: Path) -> Iterator[Answer]:
-    """Read the files that a command wrote: text where they are, else Base64."""
-    for path in sorted(one for one in folder.rglob("*") if one.is_file()):
-        content = path.read_bytes()
-        try:
-            yield {"name": str(path), "text": content.decode("utf-8"), "base64": None}
-        except UnicodeDecodeError:
-            yield {"name": str(path), "text": None, "base64": b64encode(content).decode()}
-
-
-def _lay(name: str, text: str) -> None:
-    """Lay a file into the folder in which a command runs."""
-    path, told = Path(name), f"file ({printable(name)})"
-    if len(path.parts) != 1 or path.name in ("", ".", "..") or not name.isprintable():
-        raise IllegalValueError(told, "it is no name", "give it a name")
-    try:
-        path.write_text(text, encoding="utf-8", newline="")
-    except OSError as error:
-        raise IllegalValueError(told, refusal(error), "give it another name") from None
 
 
 def _in_rows(cells: Sequence[Sequence[str]]) -> str:
