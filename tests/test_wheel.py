@@ -141,7 +141,7 @@ def test_help_says_where_the_documents_are(installed: Path, tmp_path: Path) -> N
     page = shell("nmatrix help --docs", installed, tmp_path).stdout
     folder = installed / "share" / "doc" / "nmatrix" / "docs"
     assert folder.is_dir()
-    assert str(folder.resolve()) in " ".join(page.split())
+    assert f"  {folder.resolve()}" in page.splitlines()
 
 
 def test_every_example_of_every_help_runs_where_nothing_else_is(installed: Path) -> None:

@@ -119,9 +119,10 @@ def of_options(commands: Iterable[GatheringCommand]) -> list[Line]:
 def of_documentation() -> list[Line]:
     """Tell where the documentation is, which a packed program does not bring along."""
     if (folder := documents()) is not None:
-        page = _wrapped(
-            f"The documentation is in {folder}; the README.md in it says what is where."
-        )
+        page = [  # a path is told whole, so that it can be copied
+            *_wrapped("The documentation is here; its README.md says what is where:"),
+            (Span(f"  {folder}"),),
+        ]
         if (builder := folder / "website").is_dir():
             page += _section("As a site, with search", {f"python {builder} -o site": SITE})
         return page

@@ -91,6 +91,7 @@ def test_a_browser_that_runs_no_python_is_told_so(opened, before: str) -> None:
 def test_a_page_that_was_failed_by_the_network_may_try_again(opened) -> None:
     page = opened()
     page.route("**/nmatrix.zip", lambda route: route.abort())
+    page.reload()
     told = page.evaluate(WAITED)["failed"]
     assert told.startswith("file (nmatrix.zip): it cannot be fetched")
     page.unroute("**/nmatrix.zip")
