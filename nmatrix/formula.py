@@ -2,7 +2,8 @@
 
 The line is what text shows: `(A t)ᵀ (N n)`, `tan θ = (κ − 1/κ) / 2`, `√3/2`. A slash takes what
 stands directly before and after it, a number before a root with that root, as in `3√2/4`; a
-function's name takes what follows it. A column of `|` in a matrix is the bar of [A | I].
+function's name takes what follows it. A column of `|` in a matrix is the bar of [A | I]. Lists in
+square brackets, words in quotes and what else a calculator takes are words, as they were typed.
 """
 
 from __future__ import annotations
@@ -17,9 +18,14 @@ APART = ",  "  # between two statements, which stand further apart than two numb
 # Names that LaTeX and Typst know.
 OPERATORS = ("det", "tan", "sin", "cos", "arctan", "arccos", "max")
 FUNCTIONS = (*OPERATORS, "sign", "rank", "rref", "fl")
-_ON_THE_LINE = str.maketrans(f"{RAISED}-", "0123456789−⊤′s−")
+SIGNS = frozenset((APART, *",=+−-·×/≠≤≥≈<>→←↔⇒⇔°"))
+SQUARE_ROOT = "sqrt"  # as it is typed
+SHORTEST = 3  # letters of such a function; Rx (…) may be a product
+_ON_THE_LINE = str.maketrans(f"{RAISED}-T", "0123456789−⊤′s−⊤")
+_LIST = r"\[(?:[^\[\]]|\[[^\[\]]*\])*\]"
 _TOKEN = re.compile(
-    rf",\s\s+|\s+|[0-9]+(?:\.[0-9]+)?|[A-Za-z]+[₀-₉]*|[Α-ω][₀-₉]*|[{RAISED}]+|\^\(?-?−?[0-9]+\)?|√|[^\w\s]|\S"
+    rf"{_LIST}|\"[^\"]*\"|\.[A-Za-z]+|,\s\s+|\s+|[0-9]+(?:\.[0-9]+)?|[A-Za-z]+_\w*|[A-Za-z]+[0-9]+(?=\()|"
+    rf"[A-Za-z]+[₀-₉]*|[Α-ω][₀-₉]*|[{RAISED}]+|\^\(?[-−]?(?:[0-9]+|T)\)?|√|==|[^\w\s]|\S"
 )
 
 
@@ -172,10 +178,24 @@ def _items(tokens: Sequence[str], closing: str) -> tuple[list[Node], Sequence[st
 def _piece(tokens: Sequence[str]) -> tuple[Node, Sequence[str]]:
     """Read one piece with its exponents."""
     piece, tokens = _plain_piece(tokens)
-    while tokens and (tokens[0][0] in RAISED or tokens[0].startswith("^")):
-        piece = Power(piece, tokens[0].strip("^()").translate(_ON_THE_LINE))
+    while tokens and not isinstance(piece, Sign):
+        if _is_exponent(tokens[0]):
+            piece = Power(piece, tokens[0].strip("^()").translate(_ON_THE_LINE))
+        elif _is_part(tokens[0]):
+            piece = Row((piece, Words(tokens[0])))
+        else:
+            break
         tokens = tokens[1:]
     return piece, tokens
+
+
+def _is_exponent(token: str) -> bool:
+    return token[0] in RAISED or (token[0] == "^" and len(token) > 1)
+
+
+def _is_part(token: str) -> bool:
+    """Tell what picks a part of the value before it: .x or [0, 1]."""
+    return token[0] in ".[" and len(token) > 1
 
 
 def _plain_piece(tokens: Sequence[str]) -> tuple[Node, Sequence[str]]:
@@ -192,8 +212,18 @@ def _plain_piece(tokens: Sequence[str]) -> tuple[Node, Sequence[str]]:
         argument, rest = _piece(rest)
         return Row((Name(head), argument)), rest
     if head[0].isalpha():
-        return Name(head), rest
-    return Sign(APART if head.startswith(",") and head != "," else head), rest
+        return _named(head, rest)
+    sign = APART if head.startswith(",") and head != "," else head
+    return Sign(sign) if sign in SIGNS else Words(f" {sign} " if sign == "==" else sign), rest
+
+
+def _named(name: str, rest: Sequence[str]) -> tuple[Node, Sequence[str]]:
+    """Read a letter, or the name of a function of the calculator with what it takes."""
+    called = Words(name) if "_" in name else Name(name)
+    if len(name) < SHORTEST or not rest or rest[0] != "(":
+        return called, rest
+    taken, rest = _plain_piece(rest)
+    return Root(_bare(taken)) if name == SQUARE_ROOT else Row((called, taken)), rest
 
 
 def _number(head: str, rest: Sequence[str]) -> tuple[Node, Sequence[str]]:

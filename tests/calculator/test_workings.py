@@ -10,7 +10,7 @@ import pytest
 
 from nmatrix.calculator.answer import report
 from nmatrix.calculator.arithmetic.operators import BINARY
-from nmatrix.calculator.arithmetic.values import Arithmetic, Value
+from nmatrix.calculator.arithmetic.values import Arithmetic, Value, ValueKind
 from nmatrix.calculator.evaluate import calculate
 from nmatrix.calculator.functions import FUNCTIONS
 from nmatrix.calculator.workings import WORKINGS
@@ -129,3 +129,21 @@ def test_json_has_the_shape_of_a_derivation() -> None:
 )
 def test_what_no_working_can_take_is_one_line(line: str, has_lines: bool) -> None:
     assert (len(steps(line)) > 2) is has_lines
+
+
+TYPED = (
+    "[1 2; 3 4] / 2", "[[1, 2], [3, 4]] / 2", "A[0, 0] / 2", "A[0] / 2", "A.T @ A / 2", "A^-T / 2",
+    "A^-1 @ A^2", "-A + B", "[1 2 3].x / 2", "[1 2 3].xyz · [1 2 3] / 2", "√2 * sqrt(3) / 2",
+    "(1 + 2) / (3 + 4) / 5", "60° / 2", "pi / 3", "1 / 2 == 2 / 4", "1 / 3 ≈ 0.333333333333333333",
+    'lu(A, "L") / 2',
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("format_", [Format.LATEX, Format.MATHML, Format.TYPST, Format.MARKDOWN])
+def test_what_was_typed_is_set_in_every_notation(format_: Format) -> None:
+    examples = [one.example for one in FUNCTIONS.values()]
+    of_numbers = [one for one in examples if calculate(one, NAMES).value.kind is ValueKind.SCALAR]
+    assert of_numbers
+    for line in (*TYPED, *examples, *(f"{one} / 2" for one in of_numbers)):
+        found = report(calculate(line, NAMES), with_steps=True)
+        assert write(found, OutputOptions(format_))

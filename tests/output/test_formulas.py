@@ -7,14 +7,28 @@ from xml.etree import ElementTree
 
 import pytest
 
-from nmatrix.formula import Fence, Name, Numeral, Power, Quotient, Root, Row, Sign, parse
+from nmatrix.formula import (
+    SIGNS,
+    Fence,
+    Name,
+    Numeral,
+    Power,
+    Quotient,
+    Root,
+    Row,
+    Sign,
+    Words,
+    parse,
+)
 from nmatrix.lessons.derive.lesson import derive
 from nmatrix.lessons.exercises.exercise import ExerciseKind
 from nmatrix.lessons.exercises.scheme import Sheet
 from nmatrix.lessons.exercises.sheet import exercises
 from nmatrix.output.drawing import draw_formula
+from nmatrix.output.formulas.latex import SIGNS as LATEX_SIGNS
 from nmatrix.output.formulas.latex import latex
 from nmatrix.output.formulas.mathml import equation, mathml
+from nmatrix.output.formulas.spoken import SIGNS as SPOKEN_SIGNS
 from nmatrix.output.formulas.spoken import spoken
 from nmatrix.output.formulas.typst import typst
 from nmatrix.report import Formula, Step
@@ -31,6 +45,21 @@ def of_exercises() -> list[Formula]:
     sheet = exercises(2 * len(ExerciseKind), Sheet("7", "Ada"))
     blocks = (block for one in sheet for block in (*one.asked, *one.key))
     return [block for block in blocks if isinstance(block, Formula)]
+
+
+def test_what_a_calculator_takes_keeps_together() -> None:
+    """A slash takes a call, a list or a part whole, and no root more than what it was given."""
+    assert parse("sqrt(3)/2") == Quotient(Root(Numeral("3")), Numeral("2"))
+    assert parse("cross(a, b)/2") == Quotient(
+        Row((Name("cross"), Fence(Row((Name("a"), Sign(","), Name("b")))))), Numeral("2")
+    )
+    assert parse("[1 2; 3 4]/2") == Quotient(Words("[1 2; 3 4]"), Numeral("2"))
+    assert parse("A[0, 0]/2") == Quotient(Row((Name("A"), Words("[0, 0]"))), Numeral("2"))
+    assert parse("A^-T") == Power(Name("A"), "−⊤")
+
+
+def test_every_sign_is_known_to_the_writers_that_need_a_word_for_it() -> None:
+    assert set(LATEX_SIGNS) == set(SPOKEN_SIGNS) == SIGNS
 
 
 def test_trees() -> None:
