@@ -223,6 +223,8 @@ def handout(
         show(write_bank(options.platform, options, groups, sheet), common)
         return
     options.check_merged()
+    if options.merged is not None:
+        workers.refuse("one file is written as a whole")
     if options.variants is not None:
         why = "a sheet on paper has one student"
         raise IllegalValueError("--variants", why, "add --to moodle, or use --roster FILE")
@@ -249,7 +251,6 @@ def handout(
     else:
         everyone, remarks = class_list(options.roster)
         if options.merged is not None:
-            workers.refuse("one file is written as a whole")
             files = write_merged(plan, everyone, options, sheet)
             made = len(files)
         else:
