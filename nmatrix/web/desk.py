@@ -407,8 +407,13 @@ def _in_rows(cells: Sequence[Sequence[str]]) -> str:
             if not str(cell).strip():
                 where = f"cell (row {i}, column {j})" if len(row) > 1 else f"cell ({i})"
                 raise IllegalValueError(where, "it is empty", "write a number there")
-    rows = [" ".join("".join(str(cell).split()) for cell in row) for row in cells]
+    rows = [" ".join(map(_number, row)) for row in cells]
     return (" " if all(len(row) == 1 for row in cells) else "; ").join(rows)
+
+
+def _number(cell: str) -> str:
+    """Write one cell; it holds one number, so that a comma in it is the point of many countries."""
+    return "".join(str(cell).split()).replace(",", ".")
 
 
 def _html(report: Report, *, full: bool = False) -> str:

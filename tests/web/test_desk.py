@@ -245,3 +245,9 @@ def test_streams_and_the_folder_are_as_before_whatever_a_line_did(desk) -> None:
     asked(desk, "command", words="calc -", files={"-": "1/0"})
     asked(desk, "command", words="nothing", files={"a/b": ""})
     assert before == (sys.stdin, sys.stdout, sys.stderr, Path.cwd())
+
+
+def test_a_comma_in_a_cell_is_a_point(desk) -> None:
+    cells = [["0", "0", "-1/4", "3"], ["0", "0,5", "0", "1"], ["1", "0", "0", "2"], list("0001")]
+    whose = {"number": 1, "seed": "7", "student": "Ada"}
+    assert asked(desk, "grade", answer=cells, **whose)["verdict"] == "correct"
